@@ -108,8 +108,8 @@ fn folder(path: &Path) -> Failure {
             format!("Name one file in it. {}", for_all(&all.display().to_string(), ending))
         }
         None => "Name a file: a design (.sheet.json), a curve table (.csv), a table of offsets \
-                 (.csv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, \
-                 .ply or .glb)."
+                 (.csv, .tsv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, \
+                 .stl, .ply or .glb)."
             .to_owned(),
     };
     Failure::new("this is a folder", hint).at(path.display().to_string())

@@ -96,11 +96,12 @@ impl InputFormat {
         if ["x", "y", "z"].iter().all(|column| columns.contains(column)) {
             return Some(Self::Table);
         }
-        if is_hull_table(&text) {
-            return Some(Self::Table);
-        }
+        // Groups of a mesh may have the names of lines, such as `o keel`.
         let is_point = |line: &str| line.starts_with("v ") || line.starts_with("v\t");
-        lines.any(is_point).then_some(Self::Mesh(MeshFormat::Obj))
+        if lines.any(is_point) {
+            return Some(Self::Mesh(MeshFormat::Obj));
+        }
+        is_hull_table(&text).then_some(Self::Table)
     }
 
     /// The format that the content shows where the name leaves it open: OBJ files may have lines in
@@ -329,6 +330,8 @@ mod tests {
             (b"\xfe\xff\0v\0 \x001\0 \x002\0 \x003", mesh(MeshFormat::Obj)),
             (b"glTF\x02\0\0\0", mesh(MeshFormat::Glb)),
             (b"# made by\nmtllib a.mtl\no box\nv 0 0 0\n", mesh(MeshFormat::Obj)),
+            (b"o keel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", mesh(MeshFormat::Obj)),
+            (b"Station,0,1\nKeel,0,0\n", Some(InputFormat::Table)),
             (
                 b"<?xml version=\"1.0\"?>\n<!-- by hand -->\n<svg>",
                 Some(InputFormat::Drawing(DrawingFormat::Svg)),

@@ -22,8 +22,8 @@ pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
 /// The hint for an unknown ending.
 pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv), a table \
-     of offsets (.csv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, .ply or \
-     .glb).";
+     of offsets (.csv, .tsv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, \
+     .ply or .glb).";
 
 /// Why an input can't be read, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]

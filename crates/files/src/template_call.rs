@@ -56,7 +56,7 @@ struct TableSetting {
     /// Its path from the design's folder.
     path: String,
     /// The unit of its numbers.
-    units: Units,
+    units: Option<Units>,
 }
 
 impl NewDesign {
@@ -87,7 +87,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     let mut values = template.defaults();
     let mut seen: Vec<&str> = Vec::new();
     let mut tables: Vec<(&str, &str)> = Vec::new();
-    let mut units = Units::Millimetres;
+    let mut units = None;
     let (mut material, mut dimensions) = (None, None);
     for setting in settings {
         let Some((name, text)) = setting.split_once('=') else {
@@ -109,7 +109,7 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
             _ => set(&mut values, name, text)?,
         }
         if let (UNITS, Some(unit)) = (name, Units::from_name(text)) {
-            units = unit;
+            units = Some(unit);
         }
     }
     let mut table = None;
@@ -133,7 +133,7 @@ fn set_table(
     values: &mut Values,
     name: &str,
     path: &str,
-    units: Units,
+    units: Option<Units>,
     folder: Option<&Path>,
 ) -> Result<(), InputError> {
     let template = values.template();

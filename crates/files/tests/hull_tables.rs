@@ -205,6 +205,12 @@ fn a_round_hull_has_curves_and_the_words_for_rails() {
     let design =
         read_bytes(InputFormat::Table, text.as_bytes(), "round.csv", None, &options).unwrap();
     assert_eq!((design.curves.len(), design.panels.len()), (2, 0));
+    // A single edge bounds no plank and stays a curve.
+    let edge = "Station,0,1000\nWL 100,300,400\nWL 200,350,450\nSheer height,500,510\n\
+                Sheer half-breadth,400,420\n";
+    let read = read_bytes(InputFormat::Table, edge.as_bytes(), "round.csv", None, &options);
+    let names: Vec<String> = read.unwrap().curves.into_iter().map(|curve| curve.name).collect();
+    assert_eq!(names, ["WL 100", "WL 200", "Sheer"]);
     let error = make(&design, &mut Unwatched).unwrap_err();
     let hint = sheetwright_files::hint_in_design(&error, &design);
     assert!(hint.contains("\"rails\": [\"WL 100\", \"WL 200\"]"), "{hint}");

@@ -17,8 +17,8 @@ use std::path::PathBuf;
 /// The input, and the options that replace its values.
 #[derive(Debug, Args)]
 pub(crate) struct SourceArgs {
-    /// A design (.sheet.json), a curve table (.csv), a table of offsets (.csv, .txt, .xlsx, .ods),
-    /// a drawing (.svg, .dxf), a mesh (.obj, .stl, .ply, .glb), or - for standard input
+    /// A design (.sheet.json), a curve table (.csv), a table of offsets (.csv, .tsv, .txt, .xlsx,
+    /// .ods), a drawing (.svg, .dxf), a mesh (.obj, .stl, .ply, .glb), or - for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
     /// The format of standard input [default: told from its content]

@@ -59,8 +59,8 @@ enum Taken {
 
 /// What the editor opens.
 const TAKEN: &str = "The editor opens designs (.json), tables of curves (.csv), tables of \
-                     offsets (.csv, .txt, .xlsx, .ods), drawings (.svg and .dxf) and meshes (.obj, \
-                     .stl, .ply and .glb).";
+                     offsets (.csv, .tsv, .txt, .xlsx, .ods), drawings (.svg and .dxf) and \
+                     meshes (.obj, .stl, .ply and .glb).";
 
 /// What to do with a file whose name does not tell what it is.
 fn way_out(bytes: &[u8]) -> &'static str {

@@ -59,15 +59,16 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
             }
         },
     };
+    let units = file.units.unwrap_or_default();
     let (material, materials) = material::read(file.material, file.materials, source)?;
     let curves = curves(file.curves.0, file.units, source)?;
     let mut list = file.panels;
     let of_panels: Vec<Option<Object<VaryFile>>> =
         list.iter_mut().map(|panel| panel.0.vary.take()).collect();
     let tolerance = file.tolerance;
-    let tolerance = tolerance.map(|it| tolerance_mm(it, file.units, "tolerance", source));
-    let panels = panels(list, &curves, file.units, tolerance.transpose()?, source)?;
-    let reader = VaryReader { units: file.units, curves: &curves, source };
+    let tolerance = tolerance.map(|it| tolerance_mm(it, units, "tolerance", source));
+    let panels = panels(list, &curves, units, tolerance.transpose()?, source)?;
+    let reader = VaryReader { units, curves: &curves, source };
     let mut vary = Vec::new();
     if let Some(Object(whole)) = file.vary {
         vary.push(reader.read(whole, "vary", None, &panels)?);
@@ -97,19 +98,19 @@ pub(super) fn design(file: DesignFile, source: &Source<'_>) -> Result<Design, In
     let asked = source.options.material.as_ref();
     let asked = asked.and_then(|name| material_named(name, &materials));
     let of_sheet = asked.as_ref().or(material.as_ref()).map(|sheet| sheet.thickness_mm.value);
-    let thickness_mm = thickness::thickness_mm(file.thickness, file.units, source)?;
+    let thickness_mm = thickness::thickness_mm(file.thickness, units, source)?;
     let reckoned_mm = source.options.thickness_mm.or(thickness_mm).or(of_sheet);
-    let mut trims = trims::read(trade.as_deref(), file.trims, file.units, reckoned_mm, source)?;
+    let mut trims = trims::read(trade.as_deref(), file.trims, units, reckoned_mm, source)?;
     trims.extend(source.options.allowance());
-    let marks = marks::read(file.marks, file.units, reckoned_mm, source)?;
+    let marks = marks::read(file.marks, units, reckoned_mm, source)?;
     let (preset, dxf) = (preset(file.preset, source)?, dxf(file.dxf, source)?);
-    let arcs_mm = arcs_mm(file.arcs, file.units, source)?;
+    let arcs_mm = arcs_mm(file.arcs, units, source)?;
     let formats = formats(file.formats, source)?;
-    let bends = bends::read(file.bends, "bends", file.units, source)?.unwrap_or_default();
+    let bends = bends::read(file.bends, "bends", units, source)?.unwrap_or_default();
     let dimensions = thickness::dimensions(file.dimensions);
-    let bend_radius_mm = thickness::bend_radius_mm(file.bend_radius, file.units, source)?;
+    let bend_radius_mm = thickness::bend_radius_mm(file.bend_radius, units, source)?;
     let sheets = file.sheets.map(|Object(sheets)| sheets);
-    let stock = sheets::read(sheets, &panels, file.units, reckoned_mm, source)?;
+    let stock = sheets::read(sheets, &panels, units, reckoned_mm, source)?;
     Ok(Design {
         notes: Vec::new(),
         name,
@@ -189,7 +190,7 @@ fn formats(names: Vec<String>, source: &Source<'_>) -> Result<Vec<String>, Input
 
 fn curves(
     list: Vec<(String, CurveFile)>,
-    units: Units,
+    units: Option<Units>,
     source: &Source<'_>,
 ) -> Result<Vec<DesignCurve>, InputError> {
     if list.len() > MAX_CURVES {
@@ -219,7 +220,7 @@ fn curves(
                 .enumerate()
                 .map(|(n, point)| {
                     let path = || format!("{path}.points[{n}]");
-                    curve_point(&point, units, source, &path)
+                    curve_point(&point, units.unwrap_or_default(), source, &path)
                 })
                 .collect::<Result<Vec<CurvePoint>, InputError>>()?,
             (None, Some(table)) => {

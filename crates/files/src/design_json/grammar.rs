@@ -32,9 +32,10 @@ pub(super) struct DesignFile {
     /// The design's name. Default: the name of the file without its ending.
     #[serde(default)]
     pub(super) name: Option<String>,
-    /// The unit of all points, and of the tables that they are taken from. Default: mm.
+    /// The unit of all points, and of the tables that they are taken from. Default: mm, and of a
+    /// table of offsets the unit that it names.
     #[serde(default)]
-    pub(super) units: Units,
+    pub(super) units: Option<Units>,
     /// The sheet it is made from: the name of a material, such as `plywood-4mm`, or what it takes.
     /// Default: a sheet that takes 6° of warp.
     #[serde(default)]

@@ -56,7 +56,7 @@ pub(crate) fn read(
     let mut file = parse(text, place)?;
     let source = Source { name, place, folder, options };
     // `make` ignores the field `drawing`, but refuses errors in it.
-    drawing::read(file.drawing.take(), file.units, &source)?;
+    drawing::read(file.drawing.take(), file.units.unwrap_or_default(), &source)?;
     convert::design(file, &source)
 }
 
@@ -74,7 +74,7 @@ pub fn read_drawn(
     refuse_large(bytes, place)?;
     let mut file = parse(text_of(bytes, name)?, place)?;
     let source = Source { name, place, folder, options: &ReadOptions::default() };
-    let drawing = drawing::read(file.drawing.take(), file.units, &source)?;
+    let drawing = drawing::read(file.drawing.take(), file.units.unwrap_or_default(), &source)?;
     Ok((convert::design(file, &source)?, drawing))
 }
 

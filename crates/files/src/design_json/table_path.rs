@@ -18,14 +18,14 @@ const TABLE: Kind =
 /// The tables of a design, each read once.
 pub(super) struct Tables<'a> {
     source: &'a Source<'a>,
-    units: Units,
+    units: Option<Units>,
     read: BTreeMap<PathBuf, Vec<TableCurve>>,
     /// The bytes left for the other tables of the design.
     bytes_left: u64,
 }
 
 impl<'a> Tables<'a> {
-    pub(super) fn new(source: &'a Source<'a>, units: Units) -> Self {
+    pub(super) fn new(source: &'a Source<'a>, units: Option<Units>) -> Self {
         Self { source, units, read: BTreeMap::new(), bytes_left: MAX_INPUT_BYTES }
     }
 
@@ -97,11 +97,11 @@ impl<'a> Tables<'a> {
     }
 }
 
-/// All curves of a table inside a folder. Messages about its path begin with `place`.
+/// All curves of a table inside a folder, in `units` where they are given. Messages about its path begin with `place`.
 pub(crate) fn table_beside(
     folder: &Path,
     table: &str,
-    units: Units,
+    units: Option<Units>,
     place: &str,
 ) -> Result<Vec<TableCurve>, InputError> {
     let file =

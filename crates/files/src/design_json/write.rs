@@ -24,11 +24,12 @@ pub fn write_design(design: &Design) -> Vec<u8> {
 /// The bytes of a design's file, in millimetres, with its drawing where that differs from the
 /// default.
 pub(super) fn write_with(design: &Design, drawing: Option<&DrawingFile>) -> Vec<u8> {
-    write(design, drawing, Units::Millimetres, curve)
+    write(design, drawing, Some(Units::Millimetres), curve)
 }
 
-/// The bytes of a design's file, in `units`. The points of all curves stay in the table `table`.
-pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) -> Vec<u8> {
+/// The bytes of a design's file, in `units`; without them in millimetres, and the table may name
+/// its own unit. The points of all curves stay in the table `table`.
+pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Option<Units>) -> Vec<u8> {
     write(design, None, units, |curve| {
         format!(
             "    {}: {{ \"kind\": {}, \"closed\": {}, \"table\": {}, \"curve\": {} }}",
@@ -44,14 +45,15 @@ pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Units) 
 fn write(
     design: &Design,
     drawing: Option<&DrawingFile>,
-    units: Units,
+    units: Option<Units>,
     curve: impl Fn(&DesignCurve) -> String,
 ) -> Vec<u8> {
     let mut fields = vec![
         format!("  \"sheetwright\": {VERSION}"),
         format!("  \"name\": {}", json(&design.name)),
-        format!("  \"units\": {}", json(&units)),
     ];
+    fields.extend(units.map(|units| format!("  \"units\": {}", json(&units))));
+    let units = units.unwrap_or_default();
     let (material, own) = material::written(design);
     fields.extend(material.map(|name| format!("  \"material\": {}", json(&name))));
     if !own.is_empty() {

@@ -10,21 +10,31 @@ use crate::units::Units;
 /// Numbers without a unit of which the largest is this or more are millimetres: as inches they
 /// would be a boat of 25 m, as feet one of 300 m.
 const PLAINLY_MM: f64 = 1000.0;
+
+/// What a caller says of the unit of numbers without one.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct GivenUnits {
+    /// The unit, whatever the table says.
+    pub(crate) asked: Option<Units>,
+    /// The unit if the table shows none.
+    pub(crate) usual: Option<Units>,
+}
+
 /// The unit of numbers without one.
 pub(super) struct Bare {
     /// The unit of the table, if it is known.
     pub(super) unit: Option<Units>,
-    /// Whether other cells are in feet and inches.
+    /// Whether other cells are in feet and inches, or a title says that all are.
     pub(super) has_feet: bool,
 }
 
 impl Bare {
     /// The unit of the numbers of a table: that of the caller, that which the table names, or that
     /// which its numbers show.
-    pub(super) fn of(layout: &Layout, units: Option<Units>, notes: &mut Vec<String>) -> Self {
+    pub(super) fn of(layout: &Layout, units: GivenUnits, notes: &mut Vec<String>) -> Self {
         let of_rows = layout.rows.iter().flat_map(|row| row.cells.iter().map(|(_, placed)| placed));
         let places = layout.stations.iter().filter_map(|station| station.at.as_ref());
-        let (mut has_feet, mut has_fraction, mut largest) = (false, false, 0.0_f64);
+        let (mut has_feet, mut has_fraction, mut largest) = (layout.is_in_feet, false, 0.0_f64);
         for placed in of_rows.chain(places) {
             match placed.cell {
                 Cell::Length { is_feet, .. } => has_feet |= is_feet,
@@ -41,13 +51,15 @@ impl Bare {
             let names = layout.stations.iter().filter_map(|station| number_of(&station.name));
             largest = names.map(f64::abs).fold(largest, f64::max);
         }
-        let mut unit = units.or(layout.unit);
+        let mut unit = units.asked.or(layout.unit);
         if unit.is_none() && has_fraction {
             notes.push("numbers without a unit are inches, as their fractions say".to_owned());
             unit = Some(Units::Inches);
         } else if unit.is_none() && !has_feet && largest >= PLAINLY_MM {
             notes.push("the table names no unit: its numbers are read as millimetres".to_owned());
             unit = Some(Units::Millimetres);
+        } else if unit.is_none() && !has_feet {
+            unit = units.usual;
         }
         Self { unit, has_feet }
     }
@@ -65,17 +77,13 @@ impl Bare {
                 None => return Err(self.without_unit(placed)),
             },
         };
-        let out_of_range = || {
-            let message = format!("{} is out of range", shown(&placed.typed));
-            Refusal::at(&placed.place, message)
-        };
-        mm.map(|mm| Some(mm + 0.0)).ok_or_else(out_of_range)
+        mm.map(|mm| Some(mm + 0.0)).ok_or_else(|| out_of_range(&placed.typed, &placed.place))
     }
 
     fn without_unit(&self, placed: &Placed) -> Refusal {
         let typed = shown(&placed.typed);
         let message = if self.has_feet {
-            format!("{typed} has no unit, and other cells are in feet and inches")
+            format!("{typed} has no unit, and the table is in feet and inches")
         } else {
             format!("{typed} has no unit, and nothing in the table says which it is")
         };
@@ -84,6 +92,15 @@ impl Bare {
              'Position (in)', or set the units of the input.",
         )
     }
+}
+
+/// A length that is made of a number in a name, if it is in range.
+pub(super) fn made_mm(mm: f64, typed: &str, place: &str) -> Result<f64, Refusal> {
+    in_range_mm(mm, Units::Millimetres).ok_or_else(|| out_of_range(typed, place))
+}
+
+fn out_of_range(typed: &str, place: &str) -> Refusal {
+    Refusal::at(place, format!("{} is out of range", shown(typed)))
 }
 
 /// The number in the name of a station or a waterline.

@@ -2,7 +2,7 @@
 //! them, and the stations as marks.
 
 use super::lines::{HullLine, HullTable};
-use super::read_hull_table;
+use super::{GivenUnits, read_hull_table};
 use crate::names::{refused_for_file, shown};
 use crate::reading::{InputError, ReadOptions, display_name, stem};
 use sheetwright::curve::CurveKind;
@@ -24,7 +24,8 @@ pub(crate) fn read_as_design(
     is_workbook: bool,
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
-    let table = read_hull_table(bytes, name, is_workbook, options.units)?;
+    let units = GivenUnits { asked: options.units, usual: None };
+    let table = read_hull_table(bytes, name, is_workbook, units)?;
     let called = stem(name);
     if let Some(why) = refused_for_file(&called) {
         let message = format!("the name of the design would be {}, which {why}", shown(&called));
@@ -36,8 +37,9 @@ pub(crate) fn read_as_design(
         0 | 1 => Design::default(),
         _ => planked(&edges).map_err(|error| in_words(&error, name))?,
     };
-    let on_skin = table.lines.iter().filter(|line| !edges.contains(line));
-    design.curves.extend(on_skin.map(curve));
+    // A single edge bounds no plank.
+    let left = table.lines.iter().filter(|line| edges.len() < 2 || !line.is_edge);
+    design.curves.extend(left.map(curve));
     design.marks = stations(&design, &table);
     design.name = called;
     for panel in &mut design.panels {

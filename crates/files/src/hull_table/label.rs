@@ -154,6 +154,12 @@ pub(super) struct LineLabel {
 
 /// Splits a label of a line, such as `Height of sheer` or `Chine HB (mm)`.
 pub(super) fn line_label(text: &str) -> LineLabel {
+    label_below(text, None)
+}
+
+/// Splits a label of a line below a title that may give a quantity: letters that number lines, as
+/// in `Chine B`, are then no quantities.
+pub(super) fn label_below(text: &str, title: Option<Quantity>) -> LineLabel {
     let mut name = without_brackets(text);
     let mut quantity = bracketed(text).and_then(|inside| quantity_of_words(&inside));
     for (word, means) in QUANTITIES {
@@ -166,6 +172,7 @@ pub(super) fn line_label(text: &str) -> LineLabel {
     // A letter at the end of a name: Sheer z.
     if quantity.is_none()
         && let [.., last] = words[..]
+        && !(title.is_some() && ["b", "h", "w"].iter().any(|n| last.eq_ignore_ascii_case(n)))
         && let Some((_, means)) = LETTERS.iter().find(|(word, _)| last.eq_ignore_ascii_case(word))
     {
         quantity = Some(*means);
@@ -290,22 +297,55 @@ pub(super) fn station_name(text: &str) -> String {
     number.unwrap_or_else(|| name.to_owned()).trim().to_owned()
 }
 
-/// The unit that a text names, such as `Offsets in millimetres` or `(mm)`; `Err` if it names feet,
-/// inches and eighths, of which cells say the unit themselves.
+/// The unit that a text names, such as `Offsets in millimetres` or `(mm)`; `Err` if it names feet
+/// and inches, of which cells say the unit themselves. A unit behind a number is of that number
+/// alone, as in `12 ft skiff` and `Buttock 1 ft`.
 pub(super) fn unit_in(text: &str) -> Option<Result<Units, ()>> {
     let lower = text.to_ascii_lowercase();
-    if lower.contains("eighth") {
+    if lower.contains("eighth") || lower.contains("8ths") {
         return Some(Err(()));
     }
-    let words = lower.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
-    let words: Vec<&str> = words.collect();
-    // "in" is a unit where nothing follows it that it could belong to.
-    let found = |n: usize| match words[n] {
-        "in" if n + 1 < words.len() => None,
-        "m" | "in" if !(lower.contains(&format!("({}", words[n])) || words.len() <= 3) => None,
-        word => unit_word(word),
+    let words = words_with_places(&lower);
+    let is_of_number = |at: usize| {
+        let before = lower[..at].trim_end();
+        let before = before.strip_suffix('-').unwrap_or(before);
+        before.ends_with(|c: char| c.is_numeric())
     };
-    (0..words.len()).find_map(found).map(Ok)
+    let found = |n: usize| {
+        let (at, word) = words[n];
+        // "ft and in", "ft-in"
+        let is_after_feet =
+            words[..n].iter().rev().find(|(_, word)| *word != "and").is_some_and(|&(at, word)| {
+                unit_word(word) == Some(Units::Feet) && !is_of_number(at)
+            });
+        match word {
+            _ if is_of_number(at) => None,
+            "in" if is_after_feet => Some(Units::Inches),
+            // "in" is a unit where nothing follows it that it could belong to.
+            "in" if n + 1 < words.len() => None,
+            "m" | "in" if !(lower[..at].ends_with('(') || words.len() <= 3) => None,
+            word => unit_word(word),
+        }
+    };
+    let units: Vec<Units> = (0..words.len()).filter_map(found).collect();
+    if units.contains(&Units::Feet) && units.contains(&Units::Inches) {
+        return Some(Err(()));
+    }
+    units.first().copied().map(Ok)
+}
+
+/// The words of a text, each with the place where it begins.
+fn words_with_places(text: &str) -> Vec<(usize, &str)> {
+    let mut words = Vec::new();
+    let mut at = 0;
+    for word in text.split(|c: char| !c.is_alphabetic()) {
+        if !word.is_empty() {
+            words.push((at, word));
+        }
+        let behind = at + word.len();
+        at = behind + text[behind..].chars().next().map_or(0, char::len_utf8);
+    }
+    words
 }
 
 /// The unit of a word.
@@ -448,6 +488,16 @@ mod tests {
             ("All offsets in the drawing", None),
             ("units: ft", Some(Ok(Units::Feet))),
             ("mm", Some(Ok(Units::Millimetres))),
+            ("# lines of a 12 ft skiff", None),
+            ("# lines of a 12-ft skiff, in mm", Some(Ok(Units::Millimetres))),
+            ("Scale 1 in 10", None),
+            ("LOA 14 ft", None),
+            ("Buttock 1 ft", None),
+            ("Sta 3 (mm)", Some(Ok(Units::Millimetres))),
+            ("Offsets in feet and inches", Some(Err(()))),
+            ("Heights (ft-in)", Some(Err(()))),
+            ("Heights in ft and in", Some(Err(()))),
+            ("Heights in ft", Some(Ok(Units::Feet))),
         ] {
             assert_eq!(unit_in(text), unit, "{text}");
         }

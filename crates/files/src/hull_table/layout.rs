@@ -9,10 +9,12 @@
 use super::grid::Grid;
 use super::label::{
     LineKind, LineLabel, Quantity, is_line, is_position_word, is_spacing_word, is_station_word,
-    length_in_words, line_label, quantity_of, station_name, unit_in,
+    label_below, length_in_words, line_label, quantity_of, station_name, unit_in,
 };
 use super::notation::{Cell, cell, shows_decimal_comma};
+use crate::names::shown;
 use crate::units::Units;
+use std::collections::BTreeMap;
 
 /// The most columns of labels before the first station.
 const MOST_LABELS: usize = 3;
@@ -63,12 +65,16 @@ pub(super) struct Layout {
     pub(super) rows: Vec<LineRow>,
     /// The unit that the table names.
     pub(super) unit: Option<Units>,
+    /// Whether it says that it is in feet and inches, so that a number alone is neither.
+    pub(super) is_in_feet: bool,
     /// The distance of two stations, of two waterlines and of two buttocks, where it is given.
     pub(super) spacing: [Option<Placed>; 3],
     /// Lengths that stand under no station: their texts and places.
     pub(super) astray: Vec<Placed>,
-    /// Rows that are not understood or not used.
+    /// What is to be noted of rows of lengths that are not used.
     pub(super) unused: Vec<String>,
+    /// The numbers of the stations by their names in small letters.
+    numbers: BTreeMap<String, usize>,
 }
 
 /// A block of a grid, looked at with its stations across.
@@ -205,6 +211,17 @@ struct Columns {
     is_turned: bool,
 }
 
+/// The rows of a block below one head; mostly the block has one.
+#[derive(Default)]
+struct Part {
+    /// The row of the names of its stations.
+    head: Option<usize>,
+    /// The row of their places, and its unit.
+    positions: Option<(usize, Option<Units>)>,
+    /// The rows of lines, with what a section before them gives.
+    lines: Vec<(usize, Option<Quantity>)>,
+}
+
 /// What a row of a block is.
 enum RowKind {
     Head,
@@ -220,8 +237,10 @@ impl Layout {
             self.set_spacing(text, grid.place(row, 0), length_in_words(text));
             return;
         }
-        if let Some(Ok(unit)) = unit_in(text) {
-            self.unit = self.unit.or(Some(unit));
+        match unit_in(text) {
+            Some(Ok(unit)) => self.unit = self.unit.or(Some(unit)),
+            Some(Err(())) => self.is_in_feet = true,
+            None => {}
         }
         if !text.starts_with('#') {
             *quantity = quantity_of(text).or(*quantity);
@@ -250,26 +269,32 @@ impl Layout {
         before: &mut Columns,
     ) {
         let labels = label_columns(view);
-        let mut head: Option<usize> = None;
-        let mut positions: Option<(usize, Option<Units>)> = None;
-        let mut lines: Vec<(usize, Option<Quantity>)> = Vec::new();
+        let mut part = Part::default();
         let of_before = before.is_turned == view.is_turned && !before.stations.is_empty();
         for row in 0..view.rows() {
             let texts: Vec<&str> = (0..labels).map(|column| view.text(row, column)).collect();
             let text = texts.join(" ").trim().to_owned();
             let section = texts.iter().find_map(|text| quantity_of(text).filter(|q| !is_along(*q)));
             quantity = section.or(quantity);
-            let kind = kind_of(view, row, labels, head.is_some() || of_before);
+            let unit = unit_in(&text);
+            let kind = kind_of(view, row, labels, part.head.is_some() || of_before);
+            let is_again = matches!(kind, RowKind::Head) && part.head.is_some() && unit.is_none();
+            if is_again && !part.lines.is_empty() {
+                self.read_part(view, labels, &part, before);
+                part = Part::default();
+            }
             match kind {
-                RowKind::Head if head.is_none() => {
-                    head = Some(row);
+                RowKind::Head if part.head.is_none() => {
+                    part.head = Some(row);
                     let has_place = texts.iter().any(|text| is_position_word(text));
-                    if has_place || unit_in(&text).is_some() {
-                        positions = Some((row, unit_in(&text).and_then(Result::ok)));
+                    if has_place || unit.is_some() {
+                        part.positions = Some((row, unit.and_then(Result::ok)));
                     }
                 }
+                // Other names of the stations, such as those of frames.
+                RowKind::Head if is_again => {}
                 RowKind::Head | RowKind::Positions => {
-                    positions = Some((row, unit_in(&text).and_then(Result::ok)));
+                    part.positions.get_or_insert((row, unit.and_then(Result::ok)));
                 }
                 RowKind::Spacing => {
                     let cells = (labels..view.columns()).map(|column| view.cell(row, column));
@@ -278,21 +303,34 @@ impl Layout {
                         .find(|cell| matches!(cell, Cell::Length { .. } | Cell::Bare { .. }));
                     self.set_spacing(&text, view.place(row, 0), length);
                 }
-                RowKind::Line => lines.push((row, quantity)),
-                RowKind::Nothing => {
-                    let has_values = (labels..view.columns())
-                        .any(|column| !matches!(view.cell(row, column), Cell::None));
-                    if has_values {
-                        self.unused.push(text);
-                    }
-                }
+                RowKind::Line => part.lines.push((row, quantity)),
+                RowKind::Nothing => self.note_unused(view, row, labels),
             }
         }
-        if let Some(row) = head.or(positions.map(|(row, _)| row)) {
+        self.read_part(view, labels, &part, before);
+    }
+
+    /// Notes a row of lengths that is not used.
+    fn note_unused(&mut self, view: &View<'_>, row: usize, labels: usize) {
+        let is_length = |column: &usize| {
+            matches!(view.cell(row, *column), Cell::Length { .. } | Cell::Bare { .. })
+        };
+        let Some(first) = (labels..view.columns()).find(is_length) else { return };
+        let texts = (0..labels).map(|column| view.text(row, column));
+        let named = texts.filter(|text| !text.is_empty()).collect::<Vec<&str>>().join(" ");
+        let what = match &named[..] {
+            "" => "lengths without the name of a line".to_owned(),
+            named => format!("{}, which is no line of a hull", shown(named)),
+        };
+        self.unused.push(format!("left out from {} on: {what}", view.place(row, first)));
+    }
+
+    fn read_part(&mut self, view: &View<'_>, labels: usize, part: &Part, before: &mut Columns) {
+        if let Some(row) = part.head.or(part.positions.map(|(row, _)| row)) {
             before.stations = self.stations_of(view, row, labels);
             before.is_turned = view.is_turned;
         }
-        if let Some((row, unit)) = positions {
+        if let Some((row, unit)) = part.positions {
             for (column, station) in before.stations.iter().enumerate() {
                 let placed = view.placed(row, column, unit);
                 if let Some(station) = station.filter(|_| placed.cell != Cell::None) {
@@ -300,8 +338,8 @@ impl Layout {
                 }
             }
         }
-        for (row, quantity) in lines {
-            self.read_line(view, row, labels, quantity, &before.stations);
+        for (row, quantity) in &part.lines {
+            self.read_line(view, *row, labels, *quantity, &before.stations);
         }
     }
 
@@ -313,11 +351,12 @@ impl Layout {
                 return None;
             }
             let name = station_name(&head.typed);
-            let known = self.stations.iter().position(|known| is_one_name(&known.name, &name));
-            Some(known.unwrap_or_else(|| {
+            let next = self.stations.len();
+            let number = *self.numbers.entry(name.to_lowercase()).or_insert(next);
+            if number == next {
                 self.stations.push(Station { name, head, at: None });
-                self.stations.len() - 1
-            }))
+            }
+            Some(number)
         };
         (0..view.columns()).map(station).collect()
     }
@@ -334,9 +373,10 @@ impl Layout {
         let named = texts.filter(|(_, text)| !text.is_empty());
         let Some((column, text)) = named.clone().find(|(_, text)| quantity_of(text).is_none())
         else {
+            self.note_unused(view, row, labels);
             return;
         };
-        let label = line_label(text);
+        let label = label_below(text, quantity);
         let of_kind = match label.kind {
             LineKind::Waterline => Some(Quantity::HalfBreadth),
             LineKind::Buttock => Some(Quantity::Height),
@@ -357,11 +397,6 @@ impl Layout {
     }
 }
 
-/// Whether two names of stations are one, whatever their case.
-fn is_one_name(a: &str, b: &str) -> bool {
-    a.to_lowercase() == b.to_lowercase()
-}
-
 /// How many columns at the left of a block hold labels: the first, and those after it that hold
 /// texts mostly.
 fn label_columns(view: &View<'_>) -> usize {
@@ -380,7 +415,7 @@ fn kind_of(view: &View<'_>, row: usize, labels: usize, has_stations: bool) -> Ro
     let has_values = (labels..view.columns()).any(|column| !view.text(row, column).is_empty());
     let any = |is: &dyn Fn(&str) -> bool| texts.iter().any(|text| is(text));
     let all_empty = texts.iter().all(|text| text.is_empty());
-    let is_known = any(&|text| is_line(text) && !is_position_word(text));
+    let is_known = any(&|text| is_line(text) && !is_position_word(&line_label(text).name));
     if !has_values {
         return RowKind::Nothing;
     }

@@ -1,18 +1,24 @@
 //! Makes curves in space of the stations and lines of a table: x is the place of the station, y the
 //! half-breadth, z the height.
 
-use super::bare::{Bare, number_of};
+use super::bare::{Bare, GivenUnits, made_mm, number_of};
 use super::label::{LineKind, Quantity};
-use super::layout::{Layout, Placed, Station};
+use super::layout::{Layout, LineRow, Placed, Station};
 use super::notation::{Cell, cell};
 use super::said::{Refusal, at_station, listed};
 use crate::names::shown;
 use crate::units::Units;
 use sheetwright::curve::CurvePoint;
 use sheetwright::math::Point3;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Names of stations are their places where the largest number is at least this.
 const PLAINLY_PLACES: f64 = 100.0;
+
+/// The most stations and lines of a table; a hull has some tens of both.
+const MOST: usize = 1000;
+/// The most notes about rows that are not used.
+const MOST_UNUSED: usize = 5;
 
 /// A line of a hull.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,13 +59,16 @@ const ALONG: usize = 0;
 const HALF: usize = 1;
 const HEIGHT: usize = 2;
 
-/// The lines of a table, whose numbers without a unit are in `units` if the caller says so.
+/// The lines of a table.
 ///
 /// # Errors
 /// The first thing that is not understood.
-pub(super) fn lines(layout: &Layout, units: Option<Units>) -> Result<HullTable, Refusal> {
+pub(super) fn lines(layout: &Layout, units: GivenUnits) -> Result<HullTable, Refusal> {
     refuse_wrong_cells(layout)?;
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = layout.unused.iter().take(MOST_UNUSED).cloned().collect();
+    if layout.unused.len() > MOST_UNUSED {
+        notes.push(format!("left out: {} more rows", layout.unused.len() - MOST_UNUSED));
+    }
     let unit = Bare::of(layout, units, &mut notes);
     let places = places(layout, &unit, &mut notes)?;
     let grouped = grouped(layout)?;
@@ -105,6 +114,15 @@ fn refuse_wrong_cells(layout: &Layout) -> Result<(), Refusal> {
     }
     if layout.rows.is_empty() {
         return Err(Refusal::of_table("the table names no lines"));
+    }
+    let is_diagonal = |row: &&LineRow| row.label.kind == LineKind::Diagonal;
+    let names: BTreeSet<String> = layout.rows.iter().map(|row| key(&row.label.name)).collect();
+    let lines = names.len() + layout.rows.iter().filter(is_diagonal).count();
+    for (count, what) in [(layout.stations.len(), "stations"), (lines, "lines")] {
+        if count > MOST {
+            let message = format!("the table names more than {MOST} {what}");
+            return Err(Refusal::of_table(&message));
+        }
     }
     let of_rows = layout.rows.iter().flat_map(|row| row.cells.iter().map(|(_, placed)| placed));
     let places = layout.stations.iter().filter_map(|station| station.at.as_ref());
@@ -152,7 +170,10 @@ fn places(
         let typed = Placed { cell: cell(&station.name, false), ..station.head.clone() };
         places.push(match (&station.at, spacing, numbers[n]) {
             (Some(at), ..) => unit.mm(at)?,
-            (None, Some(spacing), Some(number)) if !is_given => Some(number * spacing),
+            (None, Some(spacing), Some(number)) if !is_given => {
+                let Placed { typed, place, .. } = &station.head;
+                Some(made_mm(number * spacing, typed, place)?)
+            }
             (None, None, _) if !is_given && (are_lengths || are_places) => unit.mm(&typed)?,
             _ if !is_used(layout, n) => None,
             _ => return Err(without_place(station, is_given || spacing.is_some(), stations)),
@@ -201,6 +222,7 @@ fn without_place(station: &Station, has_others: bool, stations: &[Station]) -> R
 fn grouped(layout: &Layout) -> Result<Vec<Line<'_>>, Refusal> {
     let count = layout.stations.len();
     let mut lines: Vec<Line<'_>> = Vec::new();
+    let mut known: BTreeMap<String, usize> = BTreeMap::new();
     for row in &layout.rows {
         let name = row.label.name.clone();
         if row.label.kind == LineKind::Diagonal {
@@ -215,12 +237,11 @@ fn grouped(layout: &Layout) -> Result<Vec<Line<'_>>, Refusal> {
                  such as 'Chine half-breadth'.",
             ));
         };
-        let key = |name: &str| name.to_lowercase().replace([' ', '-', '.'], "");
-        let known = lines.iter().position(|line| key(&line.name) == key(&name));
-        let n = known.unwrap_or_else(|| {
+        let next = lines.len();
+        let n = *known.entry(key(&name)).or_insert(next);
+        if n == next {
             lines.push(Line::new(name.clone(), row.label.kind, &row.place, count));
-            lines.len() - 1
-        });
+        }
         let line = &mut lines[n];
         line.is_whole |= quantity == Quantity::Breadth;
         let half = if quantity == Quantity::Breadth { Quantity::HalfBreadth } else { quantity };
@@ -240,6 +261,19 @@ fn grouped(layout: &Layout) -> Result<Vec<Line<'_>>, Refusal> {
         }
     }
     Ok(lines)
+}
+
+/// A name as its rows may write it: `W.L. 2` is `WL 2`, but `WL 2.5` is not `WL 25`.
+fn key(name: &str) -> String {
+    let lower: Vec<char> = name.to_lowercase().chars().collect();
+    let is_digit =
+        |n: Option<usize>| n.and_then(|n| lower.get(n)).is_some_and(char::is_ascii_digit);
+    let is_kept = |n: &usize| match lower[*n] {
+        ' ' => false,
+        '-' | '.' => is_digit(n.checked_sub(1)) && is_digit(Some(n + 1)),
+        _ => true,
+    };
+    (0..lower.len()).filter(is_kept).map(|n| lower[n]).collect()
 }
 
 impl Line<'_> {
@@ -298,7 +332,8 @@ fn fixed(
         return Ok(unit.mm(&own)?.map(|mm| (of, mm)));
     }
     if let (Some(spacing), Some(number)) = (spacing, number_of(&typed)) {
-        return Ok(unit.mm(spacing)?.map(|spacing| (of, number * spacing)));
+        let Some(spacing) = unit.mm(spacing)? else { return Ok(None) };
+        return Ok(Some((of, made_mm(number * spacing, &line.name, &line.place)?)));
     }
     // 1, 2, 3 are numbers of lines; 12, 18, 24 are lengths.
     let of_kind = lines.iter().filter(|other| other.kind == line.kind);
@@ -315,7 +350,7 @@ fn fixed(
                 shown(&line.name),
                 of_unit.name()
             ));
-            Ok(Some((of, number * of_unit.in_mm())))
+            Ok(Some((of, made_mm(number * of_unit.in_mm(), &line.name, &line.place)?)))
         }
         _ => {
             let message = format!("nothing says which {what} {} has", shown(&line.name));

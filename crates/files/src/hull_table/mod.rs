@@ -22,6 +22,7 @@ mod notation;
 mod said;
 mod workbook;
 
+pub(crate) use bare::GivenUnits;
 pub(crate) use design::read_as_design;
 
 use crate::names::refused_for_curve;
@@ -52,8 +53,7 @@ pub(crate) fn is_workbook(name: &str) -> bool {
     ["xlsx", "ods"].contains(&&ending[..])
 }
 
-/// The lines of a table of offsets, or of a workbook that holds one. Numbers without a unit are in
-/// `units`, if the caller says so.
+/// The lines of a table of offsets, or of a workbook that holds one.
 ///
 /// # Errors
 /// What is not understood of it.
@@ -61,7 +61,7 @@ pub(crate) fn read_hull_table(
     bytes: &[u8],
     name: &str,
     is_workbook: bool,
-    units: Option<Units>,
+    units: GivenUnits,
 ) -> Result<HullTable, InputError> {
     let place = display_name(name);
     let grids = if is_workbook {
@@ -95,6 +95,7 @@ pub fn hull_table_notes(bytes: &[u8], name: &str, units: Option<Units>) -> Vec<S
     if !is_workbook && !text_of(bytes, name).is_ok_and(is_hull_table) {
         return Vec::new();
     }
+    let units = GivenUnits { asked: units, usual: None };
     let Ok(table) = read_hull_table(bytes, name, is_workbook, units) else { return Vec::new() };
     let names: Vec<String> = table.lines.iter().map(|line| line.name.clone()).collect();
     let place = |at: Option<&(String, f64)>| at.map_or(0.0, |(_, at)| *at);
@@ -116,23 +117,24 @@ pub fn hull_table_notes(bytes: &[u8], name: &str, units: Option<Units>) -> Vec<S
 }
 
 /// The curves of a table that a design or a template names: of a curve table, or of a table of
-/// offsets.
+/// offsets. Without `units`, those of an offset table are those that it names, else millimetres.
 ///
 /// # Errors
 /// Bytes that are neither.
 pub(crate) fn read_curves(
     bytes: &[u8],
     name: &str,
-    units: Units,
+    units: Option<Units>,
 ) -> Result<Vec<TableCurve>, InputError> {
     let is_workbook = is_workbook(name);
     if !is_workbook {
         let text = text_of(bytes, name)?;
         if !is_hull_table(text) {
-            return read_table(text, name, units);
+            return read_table(text, name, units.unwrap_or_default());
         }
     }
-    let table = read_hull_table(bytes, name, is_workbook, Some(units))?;
+    let units = GivenUnits { asked: units, usual: Some(Units::default()) };
+    let table = read_hull_table(bytes, name, is_workbook, units)?;
     let curve = |line: lines::HullLine| TableCurve { name: line.name, points: line.points };
     Ok(table.lines.into_iter().map(curve).collect())
 }

@@ -4,6 +4,7 @@
 use super::layout::Layout;
 use super::notation::Cell;
 use crate::reading::InputError;
+use std::collections::BTreeSet;
 
 /// A table that works, in one line; `/` stands between its rows.
 const EXAMPLE: &str = "Station,0,1,2 / Position (mm),0,900,1800 / Heights / Sheer,520,480,500 / \
@@ -53,8 +54,9 @@ const LENGTHS: &str = "Write lengths as 2-3-5 (feet-inches-eighths), 2' 3 5/8\",
 fn recognised(layout: &Layout) -> String {
     let stations: Vec<String> = layout.stations.iter().map(|s| s.head.typed.clone()).collect();
     let mut lines: Vec<String> = Vec::new();
+    let mut seen = BTreeSet::new();
     for row in &layout.rows {
-        if !lines.contains(&row.label.name) {
+        if seen.insert(&row.label.name) {
             lines.push(row.label.name.clone());
         }
     }

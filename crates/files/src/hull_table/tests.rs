@@ -80,6 +80,7 @@ fn columns(of: &dyn Fn(u32) -> String) -> String {
 }
 
 fn read(text: &str, units: Option<Units>) -> HullTable {
+    let units = GivenUnits { asked: units, usual: None };
     match read_hull_table(text.as_bytes(), "hull.csv", false, units) {
         Ok(table) => table,
         Err(error) => panic!("{error} / {}\n{text}", error.hint),
@@ -87,7 +88,7 @@ fn read(text: &str, units: Option<Units>) -> HullTable {
 }
 
 fn refused(text: &str) -> InputError {
-    read_hull_table(text.as_bytes(), "hull.csv", false, None).unwrap_err()
+    read_hull_table(text.as_bytes(), "hull.csv", false, GivenUnits::default()).unwrap_err()
 }
 
 fn is_the_hull(table: &HullTable) {
@@ -194,6 +195,89 @@ fn heights_below_a_base_line_are_turned_up() {
     let table = read(text, Some(Units::Millimetres));
     assert_eq!(table.lines[1].points[0].at.z, -300.0);
     assert!(table.notes.iter().any(|note| note.contains("downwards")), "{:?}", table.notes);
+}
+
+#[test]
+fn many_stations_or_lines_are_refused() {
+    let heads: String = (0..1001).map(|n| format!(",{n}")).collect();
+    let many = refused(&format!("Station{heads}\nSheer height,1 mm\n"));
+    assert!(many.message.contains("more than 1000 stations"), "{many}");
+    let rows: String = (0..20_000).map(|n| format!("Line {n} height,1 mm\n")).collect();
+    let many = refused(&format!("Station,0 mm,1 mm\n{rows}"));
+    assert!(many.message.contains("more than 1000 lines"), "{many}");
+    let far = refused("Station spacing,600 mm\nStation,0,1e308\nSheer height,1 mm,2 mm\n");
+    assert!(far.message.contains("'1e308' is out of range"), "{far}");
+}
+
+#[test]
+fn units_are_those_of_the_caller_the_table_or_last_the_usual_ones() {
+    let body = "Station,0,100,200\nSheer height,8,9,10\nSheer half-breadth,4,5,4\n";
+    let first = |title: &str, asked, usual| {
+        let text = format!("{title}{body}");
+        let units = GivenUnits { asked, usual };
+        let table = read_hull_table(text.as_bytes(), "hull.csv", false, units);
+        table.map(|table| table.lines[0].points[0].at.z)
+    };
+    let usual = Some(Units::Millimetres);
+    assert_eq!(first("Offsets in inches\n", None, usual).unwrap(), 8.0 * 25.4);
+    assert_eq!(first("Offsets in inches\n", Some(Units::Feet), usual).unwrap(), 8.0 * 304.8);
+    assert_eq!(first("", None, usual).unwrap(), 8.0);
+    assert_eq!(first("# lines of a 12 ft skiff\n", None, usual).unwrap(), 8.0);
+    assert!(first("# lines of a 12 ft skiff\n", None, None).is_err());
+    let error = first("Offsets in feet and inches\n", None, usual).unwrap_err();
+    assert!(error.message.contains("has no unit, and the table is in feet"), "{error}");
+    let fraction = format!("{body}Chine height,1 1/2,2,3\nChine half-breadth,2,3,2\n");
+    let units = GivenUnits { asked: None, usual };
+    let table = read_hull_table(fraction.as_bytes(), "hull.csv", false, units).unwrap();
+    assert_eq!(table.lines[0].points[0].at.z, 8.0 * 25.4);
+}
+
+/// The place of each point of a line, as docs/offset-tables.md has it.
+#[test]
+fn a_line_may_have_places_of_its_own() {
+    let text = "Station,0,1,2\nPosition (mm),0,900,1800\nSheer x (mm),-50,900,1850\n\
+                Sheer height (mm),500,510,520\nSheer half-breadth (mm),400,420,300\n";
+    let table = read(text, None);
+    let along: Vec<f64> = table.lines[0].points.iter().map(|point| point.at.x).collect();
+    assert_eq!(along, [-50.0, 900.0, 1850.0]);
+    assert_eq!(table.stations.iter().map(|s| s.1).collect::<Vec<f64>>(), [0.0, 900.0, 1800.0]);
+}
+
+#[test]
+fn a_second_head_of_a_block_is_the_head_once_more() {
+    let text = "Offsets in mm\nStation,0,1,2\nPosition,0,900,1800\nSheer height,500,510,520\n\
+                Chine height,100,110,120\nStation,0,1,2\nSheer HB,400,420,300\n\
+                Chine HB,200,220,100\n";
+    let table = read(text, None);
+    assert_eq!(table.stations.last().unwrap().1, 1800.0);
+    assert_eq!((table.lines.len(), table.lines[1].points[2].at.y), (2, 100.0));
+    // The stations of the second head stand in another order.
+    let turned = text.replace("120\nStation,0,1,2", "120\nStation,2,1,0");
+    assert_eq!(read(&turned, None).lines[1].points[2].at.y, 200.0);
+}
+
+#[test]
+fn letters_and_fractions_belong_to_names() {
+    let text = "Offsets in mm\nStation,0,1000\nHeights\nChine A,100,110\nChine B,200,210\n\
+                Half-breadths\nChine A,300,310\nChine B,400,410\nWL 2.5 mm,5,6\nWL 25 mm,7,8\n";
+    let table = read(text, None);
+    let names: Vec<&str> = table.lines.iter().map(|line| &line.name[..]).collect();
+    assert_eq!(names, ["Chine A", "Chine B", "WL 2.5 mm", "WL 25 mm"]);
+    let chine = table.lines[1].points[1].at;
+    assert_eq!([chine.y, chine.z], [410.0, 210.0]);
+}
+
+#[test]
+fn rows_that_are_left_out_are_noted() {
+    let text = "Offsets in mm\nStation,0,1000\nSheer height,500,510\nSheer HB,400,420\n\
+                Bevel angle,10,12\n,-,33\n";
+    let notes = read(text, None).notes;
+    for said in [
+        "left out from hull.csv:5, column B on: 'Bevel angle', which is no line of a hull",
+        "left out from hull.csv:6, column C on: lengths without the name of a line",
+    ] {
+        assert!(notes.iter().any(|note| note == said), "{notes:?}");
+    }
 }
 
 #[test]

@@ -46,12 +46,17 @@ pub(crate) fn unfair_line(name: &str, points: &[CurvePoint]) -> Option<Finding> 
 fn stands_out(line: &[Point3], n: usize, miss: Vec3) -> Option<f64> {
     let near = line[n].distance(line[n - 1]).min(line[n].distance(line[n + 1]));
     let off_mm = miss.length();
-    if off_mm.is_nan() || off_mm < LEAST * near || !is_off_both_ways(line, n, miss) {
+    if !off_mm.is_finite() || off_mm < LEAST * near || !is_off_both_ways(line, n, miss) {
         return None;
     }
     let mut mended = line.to_vec();
     mended[n] = line[n] + miss * -1.0;
-    let others = misses(&mended).into_iter().map(Vec3::length).fold(0.0, f64::max);
+    let others: Vec<f64> = misses(&mended).into_iter().map(Vec3::length).collect();
+    // Nothing is known of a line on which two points are one.
+    if !others.iter().all(|miss| miss.is_finite()) {
+        return None;
+    }
+    let others = others.into_iter().fold(0.0, f64::max);
     // A perfect line leaves rounding alone.
     let times = off_mm / others.max(LEAST * LEAST * near);
     (times >= STANDS_OUT).then_some(times)

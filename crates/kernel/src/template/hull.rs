@@ -175,6 +175,8 @@ fn hull(values: &Values) -> Drawn {
     Ok(sketch)
 }
 
+/// Lines with more points in common are no offsets at stations, but samples.
+const MOST_STATIONS: usize = 1000;
 /// A lowest line that keeps this share of the half-breadth from the middle plane is no keel, but
 /// the edge of a flat bottom.
 const FLAT_BOTTOM: f64 = 0.1;
@@ -275,15 +277,19 @@ fn transoms(sketch: &mut Sketch, upwards: &[&NamedCurve]) {
 fn stations(lines: &[NamedCurve]) -> Vec<f64> {
     let inner = |line: &NamedCurve| -> Vec<f64> {
         let last = line.points.len() - 1;
-        line.points.iter().take(last).skip(1).map(|point| point.at.x).collect()
+        // Adding 0 turns −0 into 0.
+        let points = line.points.iter().take(last).skip(1);
+        let mut places: Vec<f64> = points.map(|point| point.at.x + 0.0).collect();
+        places.sort_by(f64::total_cmp);
+        places
     };
     let Some((first, others)) = lines.split_first() else { return Vec::new() };
     let others: Vec<Vec<f64>> = others.iter().map(inner).collect();
-    let is_shared = |x: &f64| others.iter().all(|line| line.contains(x));
+    let is_in = |line: &Vec<f64>, x: f64| line.binary_search_by(|at| at.total_cmp(&x)).is_ok();
+    let is_shared = |x: &f64| others.iter().all(|line| is_in(line, *x));
     let mut places: Vec<f64> = inner(first).into_iter().filter(is_shared).collect();
-    places.sort_by(f64::total_cmp);
     places.dedup();
-    places
+    if places.len() > MOST_STATIONS { Vec::new() } else { places }
 }
 
 fn line(name: &str, points: &[[f64; 3]]) -> NamedCurve {
