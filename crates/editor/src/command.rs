@@ -247,7 +247,7 @@ impl Command {
             Self::ZoomIn => "Make everything larger.",
             Self::ZoomOut => "Make everything smaller.",
             Self::ZoomReset => "Make everything as large as it was.",
-            Self::Stop => "Stop what is being worked out.",
+            Self::Stop => "Stop what is being worked out. The best layout so far is kept.",
             Self::Escape => "End the tool; without one, select nothing.",
         }
     }

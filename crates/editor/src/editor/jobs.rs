@@ -6,6 +6,7 @@ use crate::document::Selection;
 use crate::engine::{Answer, Detail, Engine, Job};
 use sheetwright::check::Place;
 use sheetwright::design::{Design, Vary};
+use sheetwright::watch::Stage;
 use sheetwright_files::Format;
 use std::sync::Arc;
 use web_time::{Duration, Instant};
@@ -29,6 +30,8 @@ pub(super) struct Jobs {
     long: Option<Long>,
     /// The version of the document whose points are being moved.
     varied_version: u64,
+    /// The export whose files are awaited.
+    export: Option<u64>,
 }
 
 #[derive(Clone, Copy)]
@@ -42,6 +45,8 @@ struct Long {
     /// Whether it is for what is shown.
     shows: bool,
     text: String,
+    /// The stage that it has told.
+    stage: Option<Stage>,
     done: f64,
     since: Instant,
 }
@@ -66,6 +71,7 @@ impl Jobs {
             seen_version: None,
             long: None,
             varied_version: 0,
+            export: None,
         }
     }
 
@@ -80,7 +86,14 @@ impl Jobs {
 
     pub(super) fn stop(&mut self) {
         self.engine.stop();
-        self.long = None;
+        // An export goes on with the layout that there is.
+        let is_export = |long: &Long| Some(long.number) == self.export;
+        match self.long.as_mut().filter(|long| is_export(long)) {
+            Some(long) if long.stage == Some(Stage::Nest) => {
+                "Writing files with the layout so far".clone_into(&mut long.text);
+            }
+            _ => self.long = None,
+        }
         self.asked[Detail::Full as usize].clear();
     }
 
@@ -88,6 +101,7 @@ impl Jobs {
     pub(super) fn forget(&mut self) {
         self.engine.stop_all();
         self.long = None;
+        self.export = None;
         self.asked = Default::default();
     }
 
@@ -127,7 +141,7 @@ impl Jobs {
 
     fn begin(&mut self, number: u64, shows: bool, text: &str) {
         let (text, since) = (text.to_owned(), Instant::now());
-        self.long = Some(Long { number, shows, text, done: 0.0, since });
+        self.long = Some(Long { number, shows, text, stage: None, done: 0.0, since });
     }
 
     fn end(&mut self, number: u64) {
@@ -143,6 +157,7 @@ impl Jobs {
 
     pub(super) fn export(&mut self, design: Design, formats: Vec<Format>) {
         let number = self.number();
+        self.export = Some(number);
         self.begin(number, false, "Writing files");
         self.engine.ask(Job::Export { number, design: Arc::new(design), formats });
     }
@@ -184,6 +199,9 @@ impl Editor {
                 }
                 Answer::Files { number, outcome } => {
                     self.jobs.end(number);
+                    if self.jobs.export.take_if(|export| *export == number).is_none() {
+                        continue;
+                    }
                     match outcome {
                         Ok(files) => self.wishes.push(super::FileWish::Export(files)),
                         Err(refusal) => {
@@ -191,9 +209,9 @@ impl Editor {
                         }
                     }
                 }
-                Answer::Progress { number, text, done } => {
+                Answer::Progress { number, stage, text, done } => {
                     if let Some(long) = self.jobs.long.as_mut().filter(|l| l.number == number) {
-                        (long.text, long.done) = (text, done);
+                        (long.stage, long.text, long.done) = (Some(stage), text, done);
                     }
                 }
             }

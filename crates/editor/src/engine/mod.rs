@@ -16,7 +16,7 @@ pub use thread::Engine;
 pub use worker::Engine;
 
 use crate::words::sentence;
-use sheetwright::design::Design;
+use sheetwright::design::{Design, LEAST_EFFORT, Stock};
 use sheetwright::watch::Stage;
 use sheetwright_files::{Format, OutputFile};
 use shown::ShownPanel;
@@ -69,6 +69,20 @@ impl Job {
                 *number
             }
         }
+    }
+
+    /// What a job that is to stop at a stage becomes where nothing of it can be kept: while parts
+    /// are laid out, the export with the least effort. `None` where nothing is to follow.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "workers alone are ended"))]
+    pub(crate) fn cut_short(&self, stage: Option<Stage>) -> Option<Self> {
+        let Self::Export { number, design, formats } = self else { return None };
+        let stock = design.stock.as_ref().filter(|_| stage == Some(Stage::Nest))?;
+        let stock = Stock { effort: LEAST_EFFORT, ..stock.clone() };
+        if design.stock.as_ref() == Some(&stock) {
+            return None;
+        }
+        let design = Design { stock: Some(stock), ..(**design).clone() };
+        Some(Self::Export { number: *number, design: Arc::new(design), formats: formats.clone() })
     }
 }
 
@@ -130,6 +144,8 @@ pub enum Answer {
     Progress {
         /// The number of the job.
         number: u64,
+        /// The stage that it is at.
+        stage: Stage,
         /// What is being done, in words: `sampling bottom`.
         text: String,
         /// The part that is done, 0 ..= 1.
@@ -178,6 +194,23 @@ pub(crate) mod tests {
         assert_eq!(doing(&["a"], Stage::Check), "Checking a");
         assert_eq!(doing(&["a", "b"], Stage::Check), "Checking a, b");
         assert_eq!(doing(&["a", "b", "c", "d"], Stage::Flatten), "Laying flat a, b and 2 more");
+    }
+
+    #[test]
+    fn an_export_that_is_laying_out_is_cut_short_by_less_effort() {
+        use super::{Arc, Job, LEAST_EFFORT, Stage, Stock};
+        let export = |stock: Option<Stock>| {
+            let design = Arc::new(Design { stock, ..saddles(1, 96, 40.0) });
+            Job::Export { number: 7, design, formats: Vec::new() }
+        };
+        let job = export(Some(Stock::default()));
+        let least = export(Some(Stock { effort: LEAST_EFFORT, ..Stock::default() }));
+        assert_eq!(job.cut_short(Some(Stage::Nest)), Some(least.clone()));
+        // A second stop ends it.
+        assert_eq!(least.cut_short(Some(Stage::Nest)), None);
+        assert_eq!(job.cut_short(Some(Stage::Solve)), None);
+        assert_eq!(job.cut_short(None), None);
+        assert_eq!(export(None).cut_short(Some(Stage::Nest)), None);
     }
 
     /// So many panels with so many samples each, all bounded by the rim of a saddle so high, mm.

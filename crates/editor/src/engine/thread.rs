@@ -41,7 +41,8 @@ impl Engine {
         }
     }
 
-    /// Stops what takes long, and drops what waits for it.
+    /// Stops what takes long, and drops what waits for it. An export that lays parts out goes on
+    /// with the best layout so far.
     pub fn stop(&mut self) {
         self.slow.stop();
     }
@@ -160,6 +161,7 @@ fn work_at(tray: &Tray, send: &Sender<Answer>, wake: &Wake, patience: Duration) 
             patience: patience_now,
             send,
             wake,
+            stage: Stage::Sample,
             doing: String::new(),
             told: Instant::now(),
         };
@@ -185,20 +187,22 @@ struct Teller<'a> {
     patience: Duration,
     send: &'a Sender<Answer>,
     wake: &'a Wake,
+    stage: Stage,
     doing: String,
     told: Instant,
 }
 
 impl Watch for Teller<'_> {
     fn begin(&mut self, panels: &[&str], stage: Stage) {
+        self.stage = stage;
         self.doing = super::doing(panels, stage);
     }
 
     fn progress(&mut self, done: f64) {
         if self.told.elapsed() >= PAUSE {
             self.told = Instant::now();
-            let text = self.doing.clone();
-            let _ = self.send.send(Answer::Progress { number: self.number, text, done });
+            let (number, stage, text) = (self.number, self.stage, self.doing.clone());
+            let _ = self.send.send(Answer::Progress { number, stage, text, done });
             (self.wake)();
         }
     }

@@ -40,8 +40,8 @@ impl Work {
                 Some(Answer::Varied { number: *number, outcome })
             }
             Job::Export { number, design, formats } => {
-                let outcome = files(design, formats, watch);
-                (!watch.stop()).then_some(Answer::Files { number: *number, outcome })
+                let outcome = files(design, formats, watch)?;
+                Some(Answer::Files { number: *number, outcome })
             }
         }
     }
@@ -89,17 +89,23 @@ fn shown_panels(live: &Live) -> Vec<ShownPanel> {
     }
 }
 
-/// The files that the command line writes of a design.
+/// The files that the command line writes of a design. `None` where it was stopped before parts
+/// were laid out; the best layout so far counts where that was stopped.
 fn files(
     design: &Design,
     formats: &[Format],
     watch: &mut dyn Watch,
-) -> Result<Vec<OutputFile>, Refusal> {
-    let mut made = make(design, watch).map_err(|error| refusal(&error))?;
-    made.lay_out(watch);
-    let outputs = output_files(&made, formats, OutputOptions::of(design))
-        .map_err(|error| Refusal::new(&error, error.hint().unwrap_or_default()))?;
-    Ok(outputs.files)
+) -> Option<Result<Vec<OutputFile>, Refusal>> {
+    let made = make(design, watch);
+    if watch.stop() {
+        return None;
+    }
+    Some(made.map_err(|error| refusal(&error)).and_then(|mut made| {
+        made.lay_out(watch);
+        let outputs = output_files(&made, formats, OutputOptions::of(design));
+        let refused = outputs.map_err(|it| Refusal::new(&it, it.hint().unwrap_or_default()));
+        Ok(refused?.files)
+    }))
 }
 
 fn refusal(error: &MakeError) -> Refusal {
@@ -135,7 +141,8 @@ mod tests {
     use super::*;
     use crate::engine::tests::saddles;
     use sheetwright::check::{Finding, FindingKind};
-    use sheetwright::watch::Unwatched;
+    use sheetwright::design::{SheetForm, Stock, StockSheet};
+    use sheetwright::watch::{Stage, Unwatched};
     use sheetwright_shapes::drag::Drag;
     use sheetwright_shapes::hull::planks;
     use std::sync::Arc;
@@ -177,6 +184,45 @@ mod tests {
             }
         }
         assert!(waited > 0);
+    }
+
+    /// Stops once a stage has begun.
+    struct StopAt {
+        stage: Stage,
+        is_there: bool,
+    }
+
+    impl Watch for StopAt {
+        fn begin(&mut self, _panels: &[&str], stage: Stage) {
+            self.is_there |= stage == self.stage;
+        }
+
+        fn stop(&self) -> bool {
+            self.is_there
+        }
+    }
+
+    #[test]
+    fn a_stop_keeps_the_best_layout_so_far_and_nothing_before_one() {
+        let form = SheetForm::Rectangle { size: [5000.0, 5000.0] };
+        let stock = Stock {
+            sheets: vec![StockSheet { name: None, form, count: None, cost: None }],
+            ..Stock::default()
+        };
+        let design = Arc::new(Design { stock: Some(stock), ..saddles(5, 48, 10.0) });
+        let job = Job::Export { number: 1, design, formats: vec![Format::Sheets] };
+        let stopped_at = |stage| {
+            let mut watch = StopAt { stage, is_there: false };
+            Work::default().run(&job, &mut watch)
+        };
+        assert_eq!(stopped_at(Stage::Solve), None);
+        let Some(Answer::Files { outcome: Ok(files), .. }) = stopped_at(Stage::Nest) else {
+            panic!("no files");
+        };
+        let svg = String::from_utf8_lossy(&files[0].bytes);
+        for n in 0..5 {
+            assert!(svg.contains(&format!("panel {n}")), "{svg}");
+        }
     }
 
     #[test]

@@ -57,15 +57,16 @@ impl Engine {
         }
     }
 
-    /// Stops what takes long, and drops what waits for it.
+    /// Stops what takes long, and drops what waits for it. An export that lays parts out goes on
+    /// with the least effort.
     pub fn stop(&mut self) {
         self.slow.stop();
     }
 
     /// Stops everything, for another document.
     pub fn stop_all(&mut self) {
-        self.quick.stop();
-        self.slow.stop();
+        self.quick.end();
+        self.slow.end();
     }
 
     /// The answers since the last call.
@@ -103,6 +104,8 @@ struct Tray {
     worker: Option<Hired>,
     jobs: VecDeque<Job>,
     at_work: Option<(Job, Instant)>,
+    /// The stage that it has told.
+    stage: Option<Stage>,
     /// A new worker has nothing made yet: waiting for an old one soon costs less.
     patience: Duration,
     is_free: bool,
@@ -133,6 +136,7 @@ impl Desk {
             worker: None,
             jobs: VecDeque::new(),
             at_work: None,
+            stage: None,
             patience: PATIENCE,
             is_free: false,
             failures: 0,
@@ -196,7 +200,21 @@ impl Desk {
         self.next();
     }
 
+    /// Stops what is at work. A layout can't be had of a worker that is ended: another makes it
+    /// with the least effort.
     fn stop(&self) {
+        let cut_short = {
+            let mut tray = self.0.borrow_mut();
+            tray.jobs.clear();
+            let Some((job, _)) = &tray.at_work else { return };
+            job.cut_short(tray.stage)
+        };
+        self.0.borrow_mut().jobs.extend(cut_short);
+        self.hire();
+    }
+
+    /// Ends what is at work, whatever it is.
+    fn end(&self) {
         self.0.borrow_mut().jobs.clear();
         if self.0.borrow().at_work.is_some() {
             self.hire();
@@ -222,6 +240,7 @@ impl Desk {
         let sent = tray.worker.as_ref().map(|hired| hired.worker.post_message(&bytes));
         tray.is_free = false;
         tray.at_work = Some((job, Instant::now()));
+        tray.stage = None;
         drop(tray);
         if !matches!(sent, Some(Ok(()))) {
             self.failed();
@@ -247,8 +266,11 @@ impl Desk {
             self.next();
             return;
         }
-        let teller = self.0.borrow().teller.clone();
-        teller.tell(answer_of(&bytes));
+        let (teller, answer) = (self.0.borrow().teller.clone(), answer_of(&bytes));
+        if let Some(Answer::Progress { stage, .. }) = &answer {
+            self.0.borrow_mut().stage = Some(*stage);
+        }
+        teller.tell(answer);
     }
 
     /// The worker can't go on: its job is answered, and the next gets another worker.
@@ -307,6 +329,7 @@ pub fn worker_main() {
             let mut watch = Post {
                 page: &page,
                 number: job.number(),
+                stage: Stage::Sample,
                 doing: String::new(),
                 told: Instant::now(),
             };
@@ -331,20 +354,22 @@ fn post(page: &DedicatedWorkerGlobalScope, answer: &Answer) {
 struct Post<'a> {
     page: &'a DedicatedWorkerGlobalScope,
     number: u64,
+    stage: Stage,
     doing: String,
     told: Instant,
 }
 
 impl Watch for Post<'_> {
     fn begin(&mut self, panels: &[&str], stage: Stage) {
+        self.stage = stage;
         self.doing = super::doing(panels, stage);
     }
 
     fn progress(&mut self, done: f64) {
         if self.told.elapsed() >= PAUSE {
             self.told = Instant::now();
-            let text = self.doing.clone();
-            post(self.page, &Answer::Progress { number: self.number, text, done });
+            let (number, stage, text) = (self.number, self.stage, self.doing.clone());
+            post(self.page, &Answer::Progress { number, stage, text, done });
         }
     }
 

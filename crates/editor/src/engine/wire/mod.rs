@@ -11,6 +11,7 @@ mod made;
 use super::{Answer, Detail, Job, Refusal, Varied};
 use crate::envelope::{opened, sealed};
 use sheetwright::math::{Point2, Point3, Vec2, Vec3};
+use sheetwright::watch::Stage;
 use sheetwright_files::{Format, OutputFile};
 use std::sync::Arc;
 
@@ -269,6 +270,7 @@ fields!(Refusal { message, hint });
 fields!(OutputFile { name, bytes });
 fields!(Varied { moved, moved_max_mm, before, after });
 kinds!(Detail { Coarse, Full });
+kinds!(Stage { Sample, Solve, Vary, Flatten, Check, Nest });
 kinds!(Format {
     Obj,
     Svg,
@@ -360,9 +362,10 @@ impl Wire for Answer {
                 number.put(out);
                 outcome.put(out);
             }
-            Self::Progress { number, text, done } => {
+            Self::Progress { number, stage, text, done } => {
                 out.push(3);
                 number.put(out);
+                stage.put(out);
                 text.put(out);
                 done.put(out);
             }
@@ -376,7 +379,12 @@ impl Wire for Answer {
             0 => Self::Shown { number, detail: Detail::take(from)?, panels: Vec::take(from)? },
             1 => Self::Varied { number, outcome: Wire::take(from)? },
             2 => Self::Files { number, outcome: Wire::take(from)? },
-            3 => Self::Progress { number, text: String::take(from)?, done: f64::take(from)? },
+            3 => Self::Progress {
+                number,
+                stage: Stage::take(from)?,
+                text: String::take(from)?,
+                done: f64::take(from)?,
+            },
             _ => return None,
         })
     }

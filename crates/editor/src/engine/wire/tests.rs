@@ -122,7 +122,12 @@ fn answers() -> Vec<Answer> {
         Answer::Varied { number: 4, outcome: Err(refusal.clone()) },
         Answer::Files { number: 5, outcome: Ok(vec![file]) },
         Answer::Files { number: 6, outcome: Err(refusal) },
-        Answer::Progress { number: 7, text: "sampling bottom".to_owned(), done: 0.5 },
+        Answer::Progress {
+            number: 7,
+            stage: Stage::Nest,
+            text: "sampling bottom".to_owned(),
+            done: 0.5,
+        },
     ]
 }
 
