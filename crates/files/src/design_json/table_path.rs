@@ -97,7 +97,8 @@ impl<'a> Tables<'a> {
     }
 }
 
-/// All curves of a table inside a folder, in `units` where they are given. Messages about its path begin with `place`.
+/// All curves of a table inside a folder, in `units` where they are given. Messages about its path
+/// begin with `place`.
 pub(crate) fn table_beside(
     folder: &Path,
     table: &str,
