@@ -197,6 +197,30 @@ fn a_part_of_the_size_of_the_sheet_has_room() {
     assert_eq!(laid(&[part(vec![round], 1)], &[SHEET], options).placements.len(), 1);
 }
 
+/// Tips of the grown form reach beyond the sheet; what must be within it does not.
+#[test]
+fn a_part_whose_tips_touch_the_edges_has_room() {
+    for corners in [4, 5, 9, 14, 23, 46] {
+        // A star's points are the hull that touches the edges.
+        for inner in [80.0, 48.0] {
+            let star = ring(2 * corners, |n| if n % 2 == 0 { 80.0 } else { inner }, [7.0, 3.0]);
+            let sides = |along: fn(&Point2) -> f64| {
+                let all = || star.iter().map(along);
+                all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min)
+            };
+            let room = [sides(|p| p.x), sides(|p| p.y)];
+            let options =
+                NestOptions { has_common_lines: false, gap_mm: 4.0, margin_mm: 6.0, effort: 0.01 };
+            let form = NestForm::Rectangle(room.map(|side| side + 12.0));
+            let sheets = [NestSheet { form, count: None, cost: None }];
+            let turns = Turns { angles: vec![0.0, FRAC_PI_2], ..Turns::FREE };
+            let part = NestPart { turns, ..part(vec![star], 1) };
+            let nest = laid(&[part], &sheets, options);
+            assert!(nest.too_large.is_empty(), "{corners} {inner}");
+        }
+    }
+}
+
 #[test]
 fn small_parts_lie_in_the_holes_of_large_ones() {
     let frame = vec![rectangle(1000.0, 1000.0), {

@@ -47,8 +47,16 @@ impl Placed {
         self.poles.clear();
         self.poles.extend(shape.poles.iter().map(|p| Pole { at: laid(p.at), radius: p.radius }));
         (self.low, self.high) = (Vec2::splat(f64::INFINITY), Vec2::splat(f64::NEG_INFINITY));
-        for p in &self.points {
-            (self.low, self.high) = (self.low.min(p.to_vec()), self.high.max(p.to_vec()));
+        let mut reach = |p: Point2, by: Vec2| {
+            self.low = self.low.min(p.to_vec() - by);
+            self.high = self.high.max(p.to_vec() + by);
+        };
+        // What lies within a distance of a part lies in its box, grown by that.
+        match &shape.hull {
+            (hull, by_mm) if !hull.is_empty() => {
+                hull.iter().for_each(|&p| reach(laid(p), Vec2::splat(*by_mm)));
+            }
+            _ => self.points.iter().for_each(|&p| reach(p, Vec2::ZERO)),
         }
     }
 }

@@ -30,7 +30,7 @@ pub use turns::Turns;
 
 use layout::{Pose, Room};
 use separate::Budget;
-use shape::Shape;
+use shape::{Shape, Trueness};
 use sheets::Kinds;
 use sheetwright_geometry::math::{Point2, Vec2, cos, sin};
 use sheetwright_geometry::random::Random;
@@ -230,9 +230,9 @@ fn shapes(
             continue;
         }
         let mut found = None;
-        // A form with all its corners may fit where one with fewer does not.
-        for coarse in [COARSE, 0.0] {
-            let shape = Shape::new(&part.loops, grow, coarse);
+        // What is truer may fit where what is not does not, but takes longer to lay.
+        for trueness in [Trueness::Coarse(COARSE), Trueness::Fine, Trueness::Boxed] {
+            let shape = Shape::new(&part.loops, grow, trueness);
             if kinds.fit(&shape, &part.turns, budget, random) {
                 found = Some(shapes.list.len());
                 shapes.list.push(shape);

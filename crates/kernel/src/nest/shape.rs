@@ -31,6 +31,18 @@ pub(super) struct Pole {
     pub(super) radius: f64,
 }
 
+/// How true a form is to its part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Trueness {
+    /// With fewer corners, which add up to this share of its area.
+    Coarse(f64),
+    /// With all its corners.
+    Fine,
+    /// And in no larger box than the part needs. Tips of grown corners reach beyond that: a part
+    /// as large as its sheet has no room for them.
+    Boxed,
+}
+
 /// The form of a part, about the middle of its box.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
@@ -51,17 +63,24 @@ pub(super) struct Shape {
     pub(super) upright: Vec<f64>,
     /// The area of the part itself, mm².
     pub(super) area: f64,
+    /// The hull of the part itself where its box is that of this, and by how much it grows, mm;
+    /// else without corners.
+    pub(super) hull: (Vec<Point2>, f64),
 }
 
 impl Shape {
-    /// The form of a part with these loops, the outline first, grown by `by_mm` all round; leaving
-    /// out corners adds up to the share `coarse` of its area.
-    pub(super) fn new(loops: &[Vec<Point2>], by_mm: f64, coarse: f64) -> Self {
+    /// The form of a part with these loops, the outline first, grown by `by_mm` all round.
+    pub(super) fn new(loops: &[Vec<Point2>], by_mm: f64, trueness: Trueness) -> Self {
         let area_of = |line: &[Point2]| 0.5 * signed_area_doubled(line);
         let area = loops.iter().map(|line| area_of(line).abs()).enumerate();
         let area = area.fold(0.0, |sum, (n, a)| if n == 0 { a } else { sum - a }).max(0.0);
         let grown = grown(loops, by_mm);
+        let coarse = match trueness {
+            Trueness::Coarse(share) => share,
+            Trueness::Fine | Trueness::Boxed => 0.0,
+        };
         let allowed = coarse * area_of(&grown[0]).abs();
+        let outline = loops.first().filter(|_| trueness == Trueness::Boxed);
         let loops: Vec<Vec<Point2>> =
             grown.into_iter().map(|line| simplified(line, allowed)).collect();
         let (low, high) = corners(&loops[0]);
@@ -75,6 +94,8 @@ impl Shape {
             next.extend((1..line.len()).map(|n| first + n));
             next.push(first);
         }
+        let of_part = outline.map_or_else(Vec::new, |outline| convex_hull(outline));
+        let of_part: Vec<Point2> = of_part.iter().map(about).collect();
         let hull = convex_hull(&loops[0]);
         let points: Vec<Point2> = loops.iter().flatten().copied().collect();
         let radius = points.iter().fold(0.0, |most: f64, p| most.max(p.to_vec().length()));
@@ -86,7 +107,8 @@ impl Shape {
             hull_area: area_of(&hull).abs().max(f64::MIN_POSITIVE),
             radius,
             least_side: size.x.min(size.y).max(1e-6),
-            upright: upright(&hull),
+            upright: upright(if of_part.is_empty() { &hull } else { &of_part }),
+            hull: (of_part, by_mm),
             points,
             next,
             area,
