@@ -15,6 +15,6 @@ fuzz_target!(|bytes: &[u8]| {
                 assert!(points().all(|p| [p.at.x, p.at.y, p.at.z].iter().all(|n| n.is_finite())));
             }
         }
-        let _ = hull_table_notes(bytes, name, None);
+        let _ = hull_table_notes(bytes, name, &ReadOptions::default());
     }
 });

@@ -6,8 +6,8 @@ use crate::size::sized;
 use crate::voice::Voice;
 use sheetwright::design::Design;
 use sheetwright_files::{
-    InputFormat, ReadOptions, Units, hull_table_notes, read_bytes, read_input, read_limited,
-    units_said,
+    InputFormat, ReadOptions, SecondTable, Units, hull_table_notes, read_bytes, read_input,
+    read_limited, units_said,
 };
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -34,13 +34,14 @@ struct Read {
 }
 
 fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
-    let options = ReadOptions { mesh: mesh.settings(), ..args.options() };
+    let second_table = args.with.as_deref().map(second_table).transpose()?;
+    let options = ReadOptions { mesh: mesh.settings(), second_table, ..args.options() };
     match (args.input == Path::new("-"), args.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
             let format = from.format();
             let design = read_bytes(format, &bytes, "-", None, &options)?;
-            let notes = hull_table_notes(&bytes, "-", args.units);
+            let notes = hull_table_notes(&bytes, "-", &options);
             Ok(Read { format, said: units_said(&bytes), design, notes })
         }
         (true, None) => {
@@ -53,7 +54,7 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
                 Failure::new(message, hint).at(STDIN)
             })?;
             let design = read_bytes(format, &bytes, "-", None, &options)?;
-            let notes = hull_table_notes(&bytes, "-", args.units);
+            let notes = hull_table_notes(&bytes, "-", &options);
             Ok(Read { format, said: units_said(&bytes), design, notes })
         }
         (false, Some(_)) => {
@@ -67,21 +68,31 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
         (false, None) => {
             let design = read_input(&args.input, &options)?;
             let (format, said) = (InputFormat::of(&args.input)?, said_in(&args.input));
-            let notes = notes_of(&args.input, format, args.units);
+            let notes = notes_of(&args.input, format, &options);
             Ok(Read { format, said, design, notes })
         }
     }
 }
 
+/// The second file of a table of offsets.
+fn second_table(path: &Path) -> Result<SecondTable, Failure> {
+    let name = path.display().to_string();
+    let unread = |error: io::Error| {
+        Failure::new(format!("this can't be read: {error}"), "Check the path.").at(name.clone())
+    };
+    let bytes = read_limited(File::open(path).map_err(unread)?, &name)?;
+    Ok(SecondTable { name, bytes })
+}
+
 /// What is to be noted of a table of offsets in a file.
-fn notes_of(path: &Path, format: InputFormat, units: Option<Units>) -> Vec<String> {
+fn notes_of(path: &Path, format: InputFormat, options: &ReadOptions) -> Vec<String> {
     let is_table = matches!(format, InputFormat::Table | InputFormat::Workbook);
     // A pipe, which was read before, has nothing left.
     let is_file = path.metadata().is_ok_and(|data| data.is_file());
     let name = path.display().to_string();
     let bytes = File::open(path).ok().filter(|_| is_table && is_file);
     let bytes = bytes.and_then(|file| read_limited(file, &name).ok()).unwrap_or_default();
-    hull_table_notes(&bytes, &name, units)
+    hull_table_notes(&bytes, &name, options)
 }
 
 /// The unit that a mesh file names.

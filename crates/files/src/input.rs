@@ -177,6 +177,9 @@ pub fn read_bytes(
         InputFormat::Table if is_offsets(bytes, name)? => {
             hull_table::read_as_design(bytes, name, false, options)?
         }
+        InputFormat::Table if options.second_table.is_some() => {
+            return Err(InputError::at(display_name(name), NO_SECOND, NO_SECOND_HINT));
+        }
         InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
     };
     if let Some(material) = material_asked_for(options, &design.materials)? {
@@ -211,6 +214,10 @@ pub fn read_bytes(
     }
     Ok(design)
 }
+
+/// Why a second file is refused.
+const NO_SECOND: &str = "a second table goes with a table of offsets only";
+const NO_SECOND_HINT: &str = "Leave the second table out.";
 
 /// Whether a table is one of offsets: by its words, and where those tell nothing, by its ending.
 fn is_offsets(bytes: &[u8], name: &str) -> Result<bool, InputError> {
@@ -265,6 +272,10 @@ fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), Input
             "rails can't be chosen by name but in a drawing".to_owned(),
             "A design names the rails of its panels itself.",
         );
+    }
+    let may_be_offsets = matches!(format, InputFormat::Table | InputFormat::Workbook);
+    if options.second_table.is_some() && !may_be_offsets {
+        return refused(NO_SECOND.to_owned(), NO_SECOND_HINT);
     }
     if let InputFormat::Mesh(_) = format {
         let ReadOptions {

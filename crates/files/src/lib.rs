@@ -99,7 +99,7 @@ pub use quantity::{
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
     BendSettings, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings, ReadOptions,
-    SheetSettings, VarySettings, read_limited,
+    SecondTable, SheetSettings, VarySettings, read_limited,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{

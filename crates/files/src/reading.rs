@@ -1,11 +1,12 @@
 //! Shared by every reader: errors with a place and a hint, the settings of the caller, and bytes
 //! and text within limits.
 
+use crate::names::{refused_for_file, shown};
 use crate::units::Units;
 use sheetwright::boundary::PlaneChoice;
 use sheetwright::design::{
-    Allowance, BendMarks, BendRule, Bends, Corner, Design, Dimensions, Divide, DivideJoint,
-    PanelMesh, PanelMethod, Stock, StockSheet, Trim, TrimKind, TrimOn, Vary, VaryGoal,
+    Allowance, BendMarks, BendRule, Bends, Corner, Design, DesignPanel, Dimensions, Divide,
+    DivideJoint, PanelMesh, PanelMethod, Stock, StockSheet, Trim, TrimKind, TrimOn, Vary, VaryGoal,
 };
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
@@ -250,6 +251,15 @@ impl SheetSettings {
     }
 }
 
+/// A second file of a table of offsets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondTable {
+    /// The name of the file.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
 /// The settings of the caller, which replace those of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
@@ -273,6 +283,8 @@ pub struct ReadOptions {
     /// in it names, of a drawing, the one that it states; else millimetres. A design states its
     /// own.
     pub units: Option<Units>,
+    /// A second file of a table of offsets: its half-breadths, where the input has its heights.
+    pub second_table: Option<SecondTable>,
     /// The names of the curves or layers of a drawing that are rails, in order. Default: what is
     /// named so, or two open curves alone.
     pub rails: Vec<String>,
@@ -301,12 +313,39 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
+    /// Sets what the caller asks for of a panel that was drawn.
+    pub(crate) fn set_panel(&self, panel: &mut DesignPanel) {
+        if let Some(mm) = self.tolerance_mm {
+            *panel = panel.clone().within_mm(mm);
+        }
+        if let Some(samples) = self.samples {
+            (panel.samples, panel.tolerance) = (samples, None);
+        }
+        panel.method = self.method.unwrap_or(panel.method);
+        panel.which = self.which.unwrap_or(panel.which);
+        panel.plane = self.plane.unwrap_or(panel.plane);
+        panel.fold = self.fold.unwrap_or(panel.fold);
+        panel.effort = self.effort.unwrap_or(panel.effort);
+    }
+
     /// The allowance along all edges that the caller asks for.
     pub(crate) fn allowance(&self) -> Option<Trim> {
         let allowance = |mm: f64| Allowance { width: [mm; 2], corner: Corner::ByLength };
         let trim = |mm: f64| Trim::new([TrimOn::All], TrimKind::Allowance(allowance(mm)));
         self.allowance_mm.map(trim)
     }
+}
+
+/// The name of a design that is called after its file.
+///
+/// # Errors
+/// A name that no output file can have.
+pub(crate) fn named_after(name: &str) -> Result<String, InputError> {
+    let called = stem(name);
+    let Some(why) = refused_for_file(&called) else { return Ok(called) };
+    let message = format!("the name of the design would be {}, which {why}", shown(&called));
+    let hint = "Rename the file: the design and its output files are named after it.";
+    Err(InputError::at(display_name(name), message, hint))
 }
 
 /// How messages name the input.

@@ -214,6 +214,6 @@ fn a_round_hull_has_curves_and_the_words_for_rails() {
     let error = make(&design, &mut Unwatched).unwrap_err();
     let hint = sheetwright_files::hint_in_design(&error, &design);
     assert!(hint.contains("\"rails\": [\"WL 100\", \"WL 200\"]"), "{hint}");
-    let notes = sheetwright_files::hull_table_notes(text.as_bytes(), "round.csv", options.units);
+    let notes = sheetwright_files::hull_table_notes(text.as_bytes(), "round.csv", &options);
     assert!(notes.iter().any(|note| note.contains("bound no planks")), "{notes:?}");
 }

@@ -24,6 +24,9 @@ pub(crate) struct SourceArgs {
     /// The format of standard input [default: told from its content]
     #[arg(long, value_enum, ignore_case = true, value_name = "FORMAT")]
     pub(crate) from: Option<StdinFormat>,
+    /// A second file of a table of offsets: its half-breadths, where INPUT has its heights
+    #[arg(long, value_name = "FILE")]
+    pub(crate) with: Option<PathBuf>,
     /// The number of samples of each outer loop or rail; with it, the curves of a table become
     /// splines through their points
     #[arg(long, value_name = "N")]

@@ -409,6 +409,7 @@ mod tests {
     fn what_the_caller_sets_comes_first() {
         let options = ReadOptions {
             rails: Vec::new(),
+            second_table: None,
             plane: Some(sheetwright::boundary::PlaneChoice::None),
             samples: Some(77),
             tolerance_mm: Some(0.1),

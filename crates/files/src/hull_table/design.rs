@@ -3,8 +3,7 @@
 
 use super::lines::{HullLine, HullTable};
 use super::{GivenUnits, read_hull_table};
-use crate::names::{refused_for_file, shown};
-use crate::reading::{InputError, ReadOptions, display_name, stem};
+use crate::reading::{InputError, ReadOptions, display_name, named_after};
 use sheetwright::curve::CurveKind;
 use sheetwright::design::{
     Axis, Design, DesignCurve, Mark, MarkKind, MarkOn, StationPlaces, StationPlane,
@@ -25,13 +24,9 @@ pub(crate) fn read_as_design(
     options: &ReadOptions,
 ) -> Result<Design, InputError> {
     let units = GivenUnits { asked: options.units, usual: None };
-    let table = read_hull_table(bytes, name, is_workbook, units)?;
-    let called = stem(name);
-    if let Some(why) = refused_for_file(&called) {
-        let message = format!("the name of the design would be {}, which {why}", shown(&called));
-        let hint = "Rename the file: the design and its output files are named after it.";
-        return Err(InputError::at(display_name(name), message, hint));
-    }
+    let second = options.second_table.as_ref();
+    let table = read_hull_table(bytes, name, is_workbook, second, units)?;
+    let called = named_after(name)?;
     let edges = downwards(&table);
     let mut design = match edges.len() {
         0 | 1 => Design::default(),
@@ -43,12 +38,7 @@ pub(crate) fn read_as_design(
     design.marks = stations(&design, &table);
     design.name = called;
     for panel in &mut design.panels {
-        panel.samples = options.samples.unwrap_or(panel.samples);
-        panel.method = options.method.unwrap_or(panel.method);
-        panel.which = options.which.unwrap_or(panel.which);
-        panel.plane = options.plane.unwrap_or(panel.plane);
-        panel.fold = options.fold.unwrap_or(panel.fold);
-        panel.effort = options.effort.unwrap_or(panel.effort);
+        options.set_panel(panel);
     }
     design.vary = options.vary.applied(Vec::new());
     Ok(design)

@@ -26,11 +26,11 @@ pub(crate) use bare::GivenUnits;
 pub(crate) use design::read_as_design;
 
 use crate::names::refused_for_curve;
-use crate::reading::{InputError, display_name, text_of};
+use crate::reading::{InputError, ReadOptions, SecondTable, display_name, stem, text_of};
 use crate::table::{TableCurve, is_curve_table, read_table};
 use crate::units::Units;
 use grid::Grid;
-use label::{is_line, is_station_word, quantity_of};
+use label::{Quantity, is_line, is_station_word, quantity_of};
 use lines::HullTable;
 use std::path::Path;
 
@@ -53,7 +53,8 @@ pub(crate) fn is_workbook(name: &str) -> bool {
     ["xlsx", "ods"].contains(&&ending[..])
 }
 
-/// The lines of a table of offsets, or of a workbook that holds one.
+/// The lines of a table of offsets, or of a workbook that holds one; of a `second` file, too, which
+/// has the half-breadths if the first has the heights.
 ///
 /// # Errors
 /// What is not understood of it.
@@ -61,17 +62,20 @@ pub(crate) fn read_hull_table(
     bytes: &[u8],
     name: &str,
     is_workbook: bool,
+    second: Option<&SecondTable>,
     units: GivenUnits,
 ) -> Result<HullTable, InputError> {
     let place = display_name(name);
-    let grids = if is_workbook {
-        let sheets = workbook::sheets(bytes, place)?;
-        sheets.into_iter().map(|(name, grid)| (quantity_of(&name), grid)).collect()
-    } else {
-        let text = text_of(bytes, name)?;
-        refuse_delftship(text, place)?;
-        vec![(None, Grid::of_text(text, place)?)]
-    };
+    let mut grids = grids(bytes, name, is_workbook)?;
+    if let Some(SecondTable { name: second, bytes }) = second {
+        // A file with one table has the quantity that its name says.
+        let called = |name: &str| quantity_of(&stem(name).replace(['_', '-'], " "));
+        if let [(quantity, _)] = &mut grids[..] {
+            *quantity = quantity.or(called(name));
+        }
+        let more = self::grids(bytes, second, self::is_workbook(second))?.into_iter();
+        grids.extend(more.map(|(quantity, grid)| (quantity.or(called(second)), grid)));
+    }
     let layout = layout::layout(&grids);
     let source = match &grids[..] {
         [(_, only)] => only.source(),
@@ -87,16 +91,35 @@ pub(crate) fn read_hull_table(
     Ok(table)
 }
 
+/// The tables in a file, each with the quantity that the name of its sheet says.
+fn grids(
+    bytes: &[u8],
+    name: &str,
+    is_workbook: bool,
+) -> Result<Vec<(Option<Quantity>, Grid)>, InputError> {
+    let place = display_name(name);
+    if is_workbook {
+        let sheets = workbook::sheets(bytes, place)?;
+        return Ok(sheets.into_iter().map(|(name, grid)| (quantity_of(&name), grid)).collect());
+    }
+    let text = text_of(bytes, name)?;
+    refuse_delftship(text, place)?;
+    Ok(vec![(None, Grid::of_text(text, place)?)])
+}
+
 /// What is to be noted of an input that is a table of offsets: how many stations and lines it has,
 /// and what it does not say in so many words. Nothing of other inputs, and of tables that can't be
 /// read.
-pub fn hull_table_notes(bytes: &[u8], name: &str, units: Option<Units>) -> Vec<String> {
+pub fn hull_table_notes(bytes: &[u8], name: &str, options: &ReadOptions) -> Vec<String> {
+    let (units, second) = (options.units, options.second_table.as_ref());
     let is_workbook = bytes.starts_with(b"PK\x03\x04");
     if !is_workbook && !text_of(bytes, name).is_ok_and(is_hull_table) {
         return Vec::new();
     }
     let units = GivenUnits { asked: units, usual: None };
-    let Ok(table) = read_hull_table(bytes, name, is_workbook, units) else { return Vec::new() };
+    let Ok(table) = read_hull_table(bytes, name, is_workbook, second, units) else {
+        return Vec::new();
+    };
     let names: Vec<String> = table.lines.iter().map(|line| line.name.clone()).collect();
     let place = |at: Option<&(String, f64)>| at.map_or(0.0, |(_, at)| *at);
     let first = format!(
@@ -134,7 +157,7 @@ pub(crate) fn read_curves(
         }
     }
     let units = GivenUnits { asked: units, usual: Some(Units::default()) };
-    let table = read_hull_table(bytes, name, is_workbook, units)?;
+    let table = read_hull_table(bytes, name, is_workbook, None, units)?;
     let curve = |line: lines::HullLine| TableCurve { name: line.name, points: line.points };
     Ok(table.lines.into_iter().map(curve).collect())
 }

@@ -81,14 +81,14 @@ fn columns(of: &dyn Fn(u32) -> String) -> String {
 
 fn read(text: &str, units: Option<Units>) -> HullTable {
     let units = GivenUnits { asked: units, usual: None };
-    match read_hull_table(text.as_bytes(), "hull.csv", false, units) {
+    match read_hull_table(text.as_bytes(), "hull.csv", false, None, units) {
         Ok(table) => table,
         Err(error) => panic!("{error} / {}\n{text}", error.hint),
     }
 }
 
 fn refused(text: &str) -> InputError {
-    read_hull_table(text.as_bytes(), "hull.csv", false, GivenUnits::default()).unwrap_err()
+    read_hull_table(text.as_bytes(), "hull.csv", false, None, GivenUnits::default()).unwrap_err()
 }
 
 fn is_the_hull(table: &HullTable) {
@@ -215,7 +215,7 @@ fn units_are_those_of_the_caller_the_table_or_last_the_usual_ones() {
     let first = |title: &str, asked, usual| {
         let text = format!("{title}{body}");
         let units = GivenUnits { asked, usual };
-        let table = read_hull_table(text.as_bytes(), "hull.csv", false, units);
+        let table = read_hull_table(text.as_bytes(), "hull.csv", false, None, units);
         table.map(|table| table.lines[0].points[0].at.z)
     };
     let usual = Some(Units::Millimetres);
@@ -228,7 +228,7 @@ fn units_are_those_of_the_caller_the_table_or_last_the_usual_ones() {
     assert!(error.message.contains("has no unit, and the table is in feet"), "{error}");
     let fraction = format!("{body}Chine height,1 1/2,2,3\nChine half-breadth,2,3,2\n");
     let units = GivenUnits { asked: None, usual };
-    let table = read_hull_table(fraction.as_bytes(), "hull.csv", false, units).unwrap();
+    let table = read_hull_table(fraction.as_bytes(), "hull.csv", false, None, units).unwrap();
     assert_eq!(table.lines[0].points[0].at.z, 8.0 * 25.4);
 }
 
@@ -339,4 +339,35 @@ fn random_hulls_come_back_within_the_notation() {
             }
         }
     }
+}
+
+#[test]
+fn heights_and_half_breadths_may_be_two_files() {
+    let table = |quantity: &str, rows: &str| format!("Offsets in mm\n{quantity}Station,0,900,1800\n{rows}");
+    let heights = "Sheer,500,480,510\nKeel,0,-20,30\n";
+    let breadths = "Sheer,400,420,300\nKeel,0,0,0\n";
+    let units = GivenUnits::default();
+    let one = table("Heights\n", heights) + "\n" + &table("Half-breadths\n", breadths);
+    let one = read_hull_table(one.as_bytes(), "hull.csv", false, None, units).unwrap();
+    // The quantity stands in the file, or in its name.
+    for (names, titles) in [
+        (["hull.csv", "more.csv"], ["Heights above base\n", "Half-breadths\n"]),
+        (["heights.csv", "half-breadths.csv"], ["", ""]),
+        (["Half_breadths.csv", "Heights.csv"], ["", ""]),
+    ] {
+        let mut texts = [table(titles[0], heights), table(titles[1], breadths)];
+        if names[0].starts_with("Half") {
+            texts.reverse();
+        }
+        let [first, second] = texts;
+        let second = SecondTable { name: names[1].to_owned(), bytes: second.into_bytes() };
+        let two = read_hull_table(first.as_bytes(), names[0], false, Some(&second), units).unwrap();
+        for (a, b) in one.lines.iter().zip(&two.lines) {
+            let at = |line: &lines::HullLine| line.points.iter().map(|p| p.at).collect::<Vec<_>>();
+            assert_eq!((&a.name, at(a)), (&b.name, at(b)), "{names:?}");
+        }
+        assert_eq!((two.lines.len(), two.stations.len()), (2, 3));
+    }
+    let lone = table("", heights);
+    assert!(read_hull_table(lone.as_bytes(), "heights.csv", false, None, units).is_err());
 }

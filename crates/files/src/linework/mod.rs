@@ -22,7 +22,7 @@ mod svg;
 pub(crate) use obj::is_lines;
 
 use crate::mesh::MeshFormat;
-use crate::reading::{InputError, ReadOptions, display_name, stem};
+use crate::reading::{InputError, ReadOptions, display_name, named_after};
 use maker::Found;
 use panels::panels;
 use sheetwright::design::{Design, ReadNote, Unused};
@@ -106,20 +106,10 @@ pub(crate) fn read(
         DrawingFormat::Dxf => dxf::read(bytes, name, options.units)?,
         DrawingFormat::Obj => obj::read(bytes, name, options.units)?,
     };
-    let called = stem(name);
+    let called = named_after(name)?;
     let Found { curves, mut panels, notes } = panels(drawing, place, &called, &options.rails)?;
     for panel in &mut panels {
-        if let Some(mm) = options.tolerance_mm {
-            *panel = panel.clone().within_mm(mm);
-        }
-        if let Some(samples) = options.samples {
-            (panel.samples, panel.tolerance) = (samples, None);
-        }
-        panel.method = options.method.unwrap_or(panel.method);
-        panel.which = options.which.unwrap_or(panel.which);
-        panel.plane = options.plane.unwrap_or(panel.plane);
-        panel.fold = options.fold.unwrap_or(panel.fold);
-        panel.effort = options.effort.unwrap_or(panel.effort);
+        options.set_panel(panel);
     }
     let vary = options.vary.applied(Vec::new());
     Ok(Design { name: called, curves, panels, vary, notes, ..Design::default() })
