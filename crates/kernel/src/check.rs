@@ -2,6 +2,7 @@
 
 mod bending;
 mod brake;
+mod bulge;
 mod finding;
 mod kind;
 mod origin;
@@ -23,6 +24,7 @@ pub use verdict::Verdict;
 
 pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
 pub(crate) use brake::mitred_folds;
+pub(crate) use bulge::spline_bulge;
 pub(crate) use origin::{
     BoundaryMoved, moved, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
     turned_round,

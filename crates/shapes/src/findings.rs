@@ -230,6 +230,14 @@ fn of_boundaries() -> Vec<Finding> {
             Place::CurvePoints { curve, numbers: vec![2, 5] },
         ),
         Finding::new(
+            Kind::SplineBulge {
+                curve: "keel".to_owned(),
+                at: Point3::new(3400.0, 0.0, -12.0),
+                by_mm: 12.0,
+            },
+            Place::CurvePoints { curve: "keel".to_owned(), numbers: vec![6, 7] },
+        ),
+        Finding::new(
             Kind::UnfairLine {
                 curve: "sheer".to_owned(),
                 at: Point3::new(1200.0, 640.0, 530.0),
@@ -270,7 +278,6 @@ fn of_files() -> Vec<Finding> {
     let reduced =
         |sheets, is_full| Kind::PdfReduced { sheets, scale: 400.0, most: 20_000, is_full };
     let division = Division {
-        piece: 2,
         pieces: 4,
         joints: 3,
         joint: DivideJoint::Scarf,
@@ -297,8 +304,10 @@ fn of_files() -> Vec<Finding> {
         reduced(2500, true),
         reduced(30_000, false),
         Kind::TooLarge { size_mm: [22_140.0, 480.0], room_mm: [5980.0, 2380.0] },
-        Kind::Divided { division },
+        Kind::Divided { piece: 1, division },
+        Kind::Divided { piece: 2, division },
         Kind::Divided {
+            piece: 1,
             division: Division { joints: 1, joint: DivideJoint::Butt, lap_mm: None, ..division },
         },
         Kind::Strap { joint: "J2".to_owned(), width_mm: 144.0 },

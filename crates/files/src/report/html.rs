@@ -3,6 +3,7 @@
 use super::Written;
 use super::brake_page::brake_plan;
 use super::cut_page::{cut_from, cut_list};
+use super::divided_page::divided;
 use super::form::{ReportForm, Row, short};
 use super::found_page::FoundPage;
 use super::joined_page::joined_edges;
@@ -74,6 +75,7 @@ pub fn report_html(
                 (cut_list(made, written.patterns))
                 @for page in &pages { (page.section()) }
             }
+            (divided(made))
             (sheets(made))
             (joined_edges(made))
         },

@@ -8,6 +8,7 @@
 mod brake_page;
 mod canvas;
 mod cut_page;
+mod divided_page;
 mod flat_picture;
 mod form;
 mod found_page;

@@ -4,7 +4,9 @@ use super::*;
 use crate::quads::PanelQuads;
 use samples::*;
 use sheetwright::check::Checked;
+use sheetwright::design::{Design, Divide, DivideJoint, SheetForm, Stock, StockSheet};
 use sheetwright::make::{Made, make};
+use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
 use std::path::Path;
 
@@ -348,6 +350,38 @@ fn rulings_are_drawn_where_the_sheet_bends() {
         let few = lines(&picture, "turn");
         assert!((6..=7).contains(&few), "each of 90° / 7: {few}");
     }
+}
+
+#[test]
+fn divided_parts_have_pictures_with_their_pieces() {
+    assert!(!html(&quarter()).contains("Divided parts"));
+    let values = template("dinghy").unwrap().defaults();
+    let form = SheetForm::Rectangle { size: [1220.0, 2440.0] };
+    let stock = Stock {
+        sheets: vec![StockSheet { name: None, form, count: None, cost: None }],
+        divide: Some(Divide::by(DivideJoint::Puzzle)),
+        ..Stock::default()
+    };
+    let design = Design { stock: Some(stock), ..values.design().unwrap() };
+    let made = make(&design, &mut Unwatched).unwrap();
+    let divided: Vec<&str> = made.divided.iter().map(|part| &part.name[..]).collect();
+    assert_eq!(divided, ["bottom", "side"]);
+    let page = html(&made);
+    let from = page.find("Divided parts").unwrap();
+    let section = &page[from..from + page[from..].find("</section>").unwrap()];
+    let pictures = pictures(section);
+    assert_eq!(pictures.len(), 2);
+    for (part, picture) in made.divided.iter().zip(pictures) {
+        assert!(picture.contains(&format!("{} with its pieces", part.name)));
+        for (name, loops) in &part.pieces {
+            assert!(picture.contains(&format!(">{name}<")), "{picture}");
+            assert_eq!(loops.len(), 1);
+        }
+    }
+    assert!(
+        section.contains(" m long and the largest sheet takes 2.43 m × 1210 mm, so"),
+        "{section}"
+    );
 }
 
 #[test]

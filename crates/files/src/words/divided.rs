@@ -4,9 +4,22 @@ use sheetwright::check::Division;
 use sheetwright::design::DivideJoint;
 use sheetwright::divide::DivideFault;
 
-/// How a part was divided and why: `Piece 2 of 4: …`.
-pub(super) fn pieces(division: &Division) -> String {
-    let &Division { piece, pieces, joints, joint, lap_mm, length_mm, room_mm } = division;
+/// What a piece of a part is. The first says how and why the part was divided.
+pub(super) fn piece_of(piece: usize, division: &Division) -> String {
+    let pieces = division.pieces;
+    if piece > 1 {
+        return format!("Piece {piece} of {pieces}, divided as the first says.");
+    }
+    format!(
+        "Piece {piece} of {pieces}: the part {} What is said of its bending is said of the whole \
+         part.",
+        division_sentence(division)
+    )
+}
+
+/// How a part was divided and why, as the rest of a sentence whose subject is the part.
+pub(crate) fn division_sentence(division: &Division) -> String {
+    let &Division { pieces: _, joints, joint, lap_mm, length_mm, room_mm } = division;
     let s = if joints == 1 { "" } else { "s" };
     let joined = match joint {
         DivideJoint::Scarf => format!("{joints} scarf{s}"),
@@ -16,8 +29,7 @@ pub(super) fn pieces(division: &Division) -> String {
     };
     let of = lap_mm.map_or_else(String::new, |mm| format!(" of {}", length(mm)));
     format!(
-        "Piece {piece} of {pieces}: the part is {} long and the largest sheet takes {}, so it is \
-         divided by {joined}{of}. What is said of its bending is said of the whole part.",
+        "is {} long and the largest sheet takes {}, so it is divided by {joined}{of}.",
         length(length_mm),
         by(room_mm)
     )

@@ -1,7 +1,7 @@
 //! Findings in sentences, with advice.
 
 use super::bends::folds_mitred;
-use super::divided::{by, not_divided, pieces};
+use super::divided::{by, not_divided, piece_of};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
@@ -208,6 +208,11 @@ pub fn finding_text(finding: &Finding) -> String {
             to_deg(*turn)
         ),
         Kind::UnfairLine { curve, at, fair } => unfair_line(curve, *at, *fair),
+        Kind::SplineBulge { curve, at, by_mm } => format!(
+            "The spline '{curve}' swings {by_mm:.1} mm beyond its points near {}, where they only \
+             rise or only fall. Add a point there, or make one of the two beside it a corner.",
+            point(*at)
+        ),
         Kind::OffTolerance { .. } => off_tolerance(&finding.kind),
         Kind::JointsSmoothed { count, deviation_mm } => format!(
             "The boundary is smoothed at {} where joined panels meet. It lies up to \
@@ -286,7 +291,7 @@ pub fn finding_text(finding: &Finding) -> String {
         Kind::NoSheet { is_too_large: false } => {
             "No sheet is left for it. Take more sheets.".to_owned()
         }
-        Kind::Divided { division } => pieces(division),
+        Kind::Divided { piece, division } => piece_of(*piece, division),
         Kind::Strap { joint, width_mm } => format!(
             "A strap, {width_mm:.0} mm wide, that lies behind the butt joint {joint}. The line on \
              it is where the pieces meet."

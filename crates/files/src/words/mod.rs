@@ -15,6 +15,7 @@ mod read;
 mod tests;
 mod trims;
 
+pub(crate) use divided::division_sentence;
 pub use finding::finding_text;
 pub use place::finding_place;
 pub use read::read_note_text;

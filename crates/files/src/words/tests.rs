@@ -91,6 +91,15 @@ fn a_finding_reads_well() {
           the boundary move farther, or draw it with less twist. (rung 4)"
         ]
     );
+    assert_eq!(
+        said("divided")[..2],
+        [
+            "Piece 1 of 4: the part is 22.14 m long and the largest sheet takes 5.98 m × 2.38 m, so \
+             it is divided by 3 scarfs of 96 mm. What is said of its bending is said of the whole \
+             part. ()",
+            "Piece 2 of 4, divided as the first says. ()"
+        ]
+    );
     assert!(said("not-proven")[0].contains("a greater \"effort\" of the panel allows more"));
     let places = |code: &str| {
         let of_code = all.iter().filter(|finding| finding.code() == code);

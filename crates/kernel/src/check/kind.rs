@@ -289,6 +289,15 @@ pub enum FindingKind {
         /// Where it would be on the line of its neighbours, mm.
         fair: Point3,
     },
+    /// A spline swings beyond its points where they only rise or only fall.
+    SplineBulge {
+        /// The curve.
+        curve: String,
+        /// Where it does so most, mm.
+        at: Point3,
+        /// By how much, mm.
+        by_mm: f64,
+    },
     /// The polygon through the samples is farther from the curves than the tolerance.
     OffTolerance {
         /// How far the curves lie from it at most, mm.
@@ -448,6 +457,8 @@ pub enum FindingKind {
     },
     /// The part is a piece of one that was divided, since that is larger than every sheet.
     Divided {
+        /// The number of the piece, from 1.
+        piece: usize,
         /// How.
         division: Division,
     },
@@ -483,8 +494,6 @@ pub enum FindingKind {
 /// How a part was divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Division {
-    /// The number of the piece, from 1.
-    pub piece: usize,
     /// How many pieces there are.
     pub pieces: usize,
     /// How many joints.
@@ -586,6 +595,7 @@ impl FindingKind {
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
             | Self::UnfairLine { .. }
+            | Self::SplineBulge { .. }
             | Self::StayedStraight { .. }
             | Self::WarpNotReached { .. }
             | Self::LinesClose { .. }
@@ -683,6 +693,7 @@ impl FindingKind {
             Self::PointContacts { .. } => "point-contact",
             Self::RoundedCorner { .. } => "rounded-corner",
             Self::UnfairLine { .. } => "unfair-line",
+            Self::SplineBulge { .. } => "spline-bulge",
             Self::OffTolerance { .. } => "off-tolerance",
             Self::JointsSmoothed { .. } => "joint-smoothed",
             Self::RanOn { .. } | Self::StayedStraight { .. } => "ran-on",

@@ -5,8 +5,8 @@ use super::candidate::{Candidate, Setting};
 use super::part::{Found, Origin, Part};
 use super::unrestricted::Known;
 use crate::check::{
-    no_other_surface, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
-    turned_round, unfair_line,
+    no_other_surface, off_tolerance, ran_on, rounded_corner, smoothed_joints, spline_bulge,
+    stayed_straight, turned_round, unfair_line,
 };
 use crate::design::{DesignPanel, PanelShape, used};
 use crate::edge::edges_of_boundary;
@@ -70,8 +70,9 @@ fn make_as_asked(
         if let Some(finding) = rounded_corner(&curve.name, &curve.points, curve.closed) {
             checked.add(finding);
         }
-        if let Some(finding) = unfair_line(&curve.name, &curve.points).filter(|_| !curve.closed) {
-            checked.add(finding);
+        if !curve.closed {
+            let found = [unfair_line, spline_bulge].map(|of| of(&curve.name, &curve.points));
+            found.into_iter().flatten().for_each(|finding| checked.add(finding));
         }
     }
     let tolerance_mm = panel.tolerance.map(|tolerance| tolerance.mm(boundary.size()));

@@ -257,12 +257,13 @@ impl Live {
         }
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
-        finish(&mut parts, &self.design)?;
+        let divided = finish(&mut parts, &self.design)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         let stock = self.design.stock.clone();
         let wanted = wanted(&self.design, &parts);
-        Ok(Made { name, material, thickness_mm, parts, wanted, moved: None, stock, nested: None })
+        let (moved, nested) = (None, None);
+        Ok(Made { name, material, thickness_mm, parts, wanted, moved, stock, divided, nested })
     }
 
     /// The parts of each panel, or why they can't be made, in the order of [`Self::panels`]:

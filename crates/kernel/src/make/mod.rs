@@ -36,6 +36,7 @@ mod truest;
 mod unrestricted;
 
 pub use cut_list::CutItem;
+pub use divided::DividedPart;
 pub use error::{MakeCause, MakeError};
 pub use joining_order::{Join, JoiningStep};
 pub use live::{Live, LivePanel};
@@ -82,6 +83,8 @@ pub struct Made {
     pub moved: Option<Design>,
     /// What its parts are cut from, if that is said.
     pub stock: Option<Stock>,
+    /// The parts that were divided since they are larger than every sheet.
+    pub divided: Vec<DividedPart>,
     /// Where they lie on it, once they are laid out.
     pub nested: Option<Nested>,
 }
@@ -144,26 +147,28 @@ pub fn make_judged(
     }
     wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
-    finish(&mut parts, design)?;
+    let divided = finish(&mut parts, design)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
     let stock = design.stock.clone();
     let wanted = cut_list::wanted(design, &parts);
-    Ok(Made { name, material, thickness_mm, parts, wanted, moved, stock, nested: None })
+    let nested = None;
+    Ok(Made { name, material, thickness_mm, parts, wanted, moved, stock, divided, nested })
 }
 
 /// What depends on all parts of a design: those that are too large are divided, edges get their
-/// mates, and patterns their trims, marks and texts.
+/// mates, and patterns their trims, marks and texts. Returns what was divided.
 ///
 /// # Errors
 /// The first trim or mark that can't be made.
-fn finish(parts: &mut Vec<Part>, design: &Design) -> Result<(), MakeError> {
+fn finish(parts: &mut Vec<Part>, design: &Design) -> Result<Vec<DividedPart>, MakeError> {
     say_notes(parts, &design.notes);
-    let of_joints = divide_parts(parts, design);
+    let (divided, of_joints) = divide_parts(parts, design);
     find_mates(parts);
     let trims = [&design.trims[..], &of_joints].concat();
     trim_parts(parts, &trims)?;
-    mark_parts(parts, &design.marks)
+    mark_parts(parts, &design.marks)?;
+    Ok(divided)
 }
 
 /// The inputs that the panels of a design share.

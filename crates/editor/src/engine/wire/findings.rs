@@ -52,6 +52,7 @@ variants!(FindingKind {
     PointContacts { count },
     RoundedCorner { curve, turn },
     UnfairLine { curve, at, fair },
+    SplineBulge { curve, at, by_mm },
     OffTolerance { distance_mm, shorter_mm, tolerance_mm, samples, is_rails, is_usual, is_most },
     JointsSmoothed { count, deviation_mm },
     RanOn { bulges_mm, bends },
@@ -67,7 +68,7 @@ variants!(FindingKind {
     PdfReduced { sheets, scale, most, is_full },
     TooLarge { size_mm, room_mm },
     NoSheet { is_too_large },
-    Divided { division },
+    Divided { piece, division },
     Strap { joint, width_mm },
     NotDivided { fault },
     Read { note },
@@ -112,7 +113,7 @@ variants!(Ended {
     Reached {},
     Closest { wanted, before, reached, resisting }
 });
-fields!(Division { piece, pieces, joints, joint, lap_mm, length_mm, room_mm });
+fields!(Division { pieces, joints, joint, lap_mm, length_mm, room_mm });
 kinds!(DivideFault { NoThickness, Seams, NoPlace, Pinched, TooThin });
 fields!(TooTight { sheet, limit_mm, needed_mm });
 fields!(Bend { warp, radius_mm });

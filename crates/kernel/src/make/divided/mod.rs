@@ -21,7 +21,7 @@ use crate::edge::EdgeSource;
 use crate::pattern::{PathKind, PatternPath, joint_mark};
 use cutout::{Cutout, divisions, sides_of, whole_sheet};
 use piece::Making;
-use sheetwright_geometry::math::{Vec2, unit2};
+use sheetwright_geometry::math::{Point2, Vec2, unit2};
 use std::collections::BTreeSet;
 use strap::Behind;
 
@@ -97,10 +97,25 @@ impl Seaming {
     }
 }
 
+/// A part that was divided, as it was before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DividedPart {
+    /// Its name.
+    pub name: String,
+    /// How and why it was divided.
+    pub division: Division,
+    /// The name of each piece, and its loops on the pattern of the whole, mm, its outline first.
+    pub pieces: Vec<(String, Vec<Vec<Point2>>)>,
+}
+
 /// Divides the parts of a design that are larger than every sheet, if it says so; else notes on
-/// them that they are. Returns the trims that join the pieces, to be made after all others.
-pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> {
-    let Some(stock) = &design.stock else { return Vec::new() };
+/// them that they are. Returns what was divided, and the trims that join the pieces, to be made
+/// after all others.
+pub(super) fn divide_parts(
+    parts: &mut Vec<Part>,
+    design: &Design,
+) -> (Vec<DividedPart>, Vec<Trim>) {
+    let Some(stock) = &design.stock else { return Default::default() };
     let beyond_mm = beyond_mm(&design.trims);
     let rooms = rooms(stock, beyond_mm);
     let tight: Vec<[f64; 2]> = rooms
@@ -114,6 +129,7 @@ pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> 
     let mut known = parts.iter().filter_map(Part::given).flat_map(|given| &given.joints);
     let mut next_mark = known.by_ref().map(|joint| &joint.mark).collect::<BTreeSet<_>>().len();
     let (mut made, mut trims) = (Vec::with_capacity(parts.len()), Vec::new());
+    let mut divided_parts = Vec::new();
     // Where each part begins in the new list.
     let mut begins = Vec::with_capacity(parts.len());
     for (n, (mut part, hindrances)) in
@@ -143,7 +159,21 @@ pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> 
         match divided {
             Ok((pieces, seaming)) => {
                 next_mark += pieces.joints.len();
-                let count = pieces.parts.len() - pieces.straps;
+                let count = pieces.loops.len();
+                let division = Division {
+                    pieces: count,
+                    joints: pieces.joints.len(),
+                    joint: seaming.joint,
+                    lap_mm: seaming.overlap_mm(),
+                    length_mm,
+                    room_mm: largest,
+                };
+                let names = pieces.parts.iter().map(|part| part.name.clone());
+                divided_parts.push(DividedPart {
+                    name: part.name,
+                    division,
+                    pieces: names.zip(pieces.loops).collect(),
+                });
                 trims.extend(pieces.joints.iter().filter_map(|joint| {
                     let sides = joint.sides.clone();
                     seaming.trim(sides, joint.knob_mm)
@@ -154,17 +184,8 @@ pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> 
                         made.push(part);
                         continue;
                     }
-                    part.checked.add(Finding::of_whole(FindingKind::Divided {
-                        division: Division {
-                            piece: n + 1,
-                            pieces: count,
-                            joints: pieces.joints.len(),
-                            joint: seaming.joint,
-                            lap_mm: seaming.overlap_mm(),
-                            length_mm,
-                            room_mm: largest,
-                        },
-                    }));
+                    part.checked
+                        .add(Finding::of_whole(FindingKind::Divided { piece: n + 1, division }));
                     made.push(part);
                 }
             }
@@ -176,7 +197,7 @@ pub(super) fn divide_parts(parts: &mut Vec<Part>, design: &Design) -> Vec<Trim> 
     }
     *parts = made;
     renumber(parts, &begins);
-    trims
+    (divided_parts, trims)
 }
 
 /// The room on each sheet for the net of a part, mm, along its grain and across it. What fits an
@@ -277,8 +298,8 @@ impl Names {
 struct Pieces {
     /// The pieces, and then the straps.
     parts: Vec<Part>,
-    /// How many straps there are.
-    straps: usize,
+    /// The loops of each piece on the pattern of the whole, mm.
+    loops: Vec<Vec<Vec<Point2>>>,
     joints: Vec<Joined>,
 }
 
@@ -342,7 +363,6 @@ fn pieces(
         Ok(Joined { sides: sides.map(named), knob_mm })
     });
     let joints = joints.collect::<Result<Vec<_>, DivideFault>>()?;
-    let mut straps = 0;
     if let (DivideJoint::Butt, Some(reach_mm)) = (seaming.joint, seaming.lap_mm) {
         let stem = format!("{}-strap", whole.name);
         let behind = Behind { whole, dividing: &dividing, cutouts: &cutouts, fitting, reach_mm };
@@ -353,11 +373,11 @@ fn pieces(
                 let kind = FindingKind::Strap { joint: mark.clone(), width_mm: 2.0 * reach_mm };
                 part.checked.add(Finding::of_whole(kind));
                 parts.push(part);
-                straps += 1;
             }
         }
     }
-    Ok(Pieces { parts, straps, joints })
+    let loops = cutouts.iter().map(lines::loops).collect();
+    Ok(Pieces { parts, loops, joints })
 }
 
 /// Numbers the parts that parts of meshes meet anew: of a part that was divided, its first piece.
