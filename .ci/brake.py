@@ -102,7 +102,9 @@ def read(path):
     parts = {}
     with path.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            number = {key: float(value) for key, value in row.items() if key.endswith(("_mm", "_deg"))}
+            given = {key: value for key, value in row.items() if key.endswith(("_mm", "_deg"))}
+            # No bend but a sharp fold has an inner radius.
+            number = {key: float(value) for key, value in given.items() if value}
             sign = {"up": 1, "down": -1}[row["direction"]]
             parts.setdefault(row["part"], []).append({
                 **row, **number,

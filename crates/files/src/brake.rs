@@ -80,7 +80,7 @@ const RIGHT_RADIUS: Column =
     Column { name: "radius_right_mm", cell: |_, _, hit| mm(hit.line.radius_mm()[1]) };
 
 /// The columns of a plan for the press brake: a row a hit.
-pub(crate) const BRAKE: [Column; 21] = [
+pub(crate) const BRAKE: [Column; 22] = [
     PART,
     ORDER,
     KIND,
@@ -97,6 +97,7 @@ pub(crate) const BRAKE: [Column; 21] = [
     Column { name: "finger_right_mm", cell: |_, _, hit| mm(hit.fingers_mm[1]) },
     Column { name: "gauge_left_mm", cell: |_, _, hit| mm(hit.gauges_mm[0]) },
     Column { name: "gauge_right_mm", cell: |_, _, hit| mm(hit.gauges_mm[1]) },
+    Column { name: "inside_radius_mm", cell: |_, _, hit| inside_radius(hit) },
     LEFT_RADIUS,
     RIGHT_RADIUS,
     Column { name: "pitch_left_mm", cell: |_, _, hit| mm(hit.line.pitch_mm[0]) },
@@ -143,6 +144,12 @@ pub(crate) fn warning(n: usize, hit: &Hit) -> String {
         ),
     };
     hit.faults.iter().map(words).collect::<Vec<_>>().join("; ")
+}
+
+/// The inner radius of the tool that a sharp fold has its allowance for, mm; empty where there is
+/// none.
+fn inside_radius(hit: &Hit) -> String {
+    hit.line.inside_radius_mm.map(mm).unwrap_or_default()
 }
 
 pub(crate) fn mm(length: f64) -> String {

@@ -15,9 +15,10 @@ use sheetwright::rung::Rung;
 use sheetwright::triangulate::{Goal, WhichSurface};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    BrakeSettings, Format, MaxSheets, OutputError, OutputOptions, Outputs, Paper, PatternReadError,
-    PdfOptions, ReadPattern, Reduced, finding_text, output_files, read_dxf, read_svg,
-    refold_error_mm, stock_sheet, write_dxf, write_obj, write_pdf, write_svg,
+    BrakeSettings, Format, InputFormat, MaxSheets, OutputError, OutputOptions, Outputs, Paper,
+    PatternReadError, PdfOptions, ReadOptions, ReadPattern, Reduced, finding_text, output_files,
+    read_bytes, read_dxf, read_svg, refold_error_mm, stock_sheet, write_dxf, write_obj, write_pdf,
+    write_svg,
 };
 
 /// The planks of the hull of `examples/ubc-fishing-vessel.csv`, a metre of it `scale` mm long.
@@ -675,6 +676,30 @@ fn patterns_of_the_neutral_fibre_fold_up_to_its_surface() {
     assert!(outputs.refold_error_mm[0] < 1e-9, "{}", outputs.refold_error_mm[0]);
     let codes = outputs.panels[0].findings.iter().map(|finding| finding.code());
     assert!(codes.clone().all(|code| code != "refold" && code != "length-error"));
+}
+
+#[test]
+fn a_plan_for_the_brake_names_the_inner_radius_of_folds() {
+    let file = r#"{
+        "sheetwright": 1, "name": "bracket", "thickness": 2, "dimensions": "outside", "bend_radius": 2.5,
+        "curves": {
+            "front": { "kind": "polyline", "points": [[0, 0, 50], [0, 0, 0], [50, 0, 0]] },
+            "back": { "kind": "polyline", "points": [[0, 80, 50], [0, 80, 0], [50, 80, 0]] }
+        },
+        "panels": [{ "name": "bracket", "rails": ["front", "back"], "samples": 5 }]
+    }"#;
+    let (format, options) = (InputFormat::Design, ReadOptions::default());
+    let design = read_bytes(format, file.as_bytes(), "bracket.sheet.json", None, &options).unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let formats = [Format::Brake, Format::Report];
+    let outputs = output_files(&made, &formats, OutputOptions::default()).unwrap();
+    let table = text(&outputs.files[0].bytes);
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let column = rows[0].iter().position(|&name| name == "inside_radius_mm").unwrap();
+    assert_eq!(rows.len(), 2, "{table}");
+    assert_eq!((rows[1][2], rows[1][column]), ("fold", "2.500"));
+    let page = outputs.files.iter().find(|file| file.name == "report.html").unwrap();
+    assert!(text(&page.bytes).contains("inside 2.5"));
 }
 
 #[test]

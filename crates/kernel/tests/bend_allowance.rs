@@ -169,6 +169,28 @@ fn a_flange_that_ends_within_its_bend_stays_mitred() {
     assert!((part.piece.area_mm2() / 80.0 - 51.0).abs() < 1e-9);
 }
 
+#[test]
+fn folds_with_an_allowance_name_the_radius_of_their_tool() {
+    let radii = |part: &Part| -> Vec<Option<f64>> {
+        assert!(part.piece.bends.iter().all(|line| line.is_fold));
+        part.piece.bends.iter().map(|line| line.inside_radius_mm).collect()
+    };
+    let channel = [[0.0, 30.0], [0.0, 0.0], [50.0, 0.0], [50.0, 30.0]];
+    let mut design = profile(&channel, Dimensions::Outside, sheet(0.44), 31);
+    assert_eq!(radii(&made(&design)), [Some(2.0); 2]);
+    design.bend_radius_mm = Some(2.5);
+    assert_eq!(radii(&made(&design)), [Some(2.5); 2]);
+    design.dimensions = None;
+    assert_eq!(radii(&made(&design)), [None; 2]);
+    // The flange at one end is narrower than its bend.
+    let narrow = [[0.0, 3.0], [0.0, 0.0], [50.0, 0.0], [50.0, 30.0]];
+    let part = made(&profile(&narrow, Dimensions::Outside, sheet(0.44), 4));
+    assert_eq!(mitred(&part), [(1, 2, Mitred::Narrow)]);
+    let mut of_part = radii(&part);
+    of_part.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    assert_eq!(of_part, [None, Some(2.0)]);
+}
+
 /// A mesh of these facets, each of three or four corners.
 fn net(points: &[[f64; 3]], facets: &[&[usize]], dimensions: Dimensions) -> Vec<Part> {
     let positions = points.iter().map(|&[x, y, z]| Point3::new(x, y, z)).collect();
@@ -198,6 +220,8 @@ fn a_tray_of_outside_dimensions_loses_a_deduction_at_each_wall() {
     let parts = net(&points, &facets, Dimensions::Outside);
     assert_eq!(parts.len(), 1);
     let part = &parts[0];
+    let radii = part.piece.bends.iter().map(|line| line.inside_radius_mm);
+    assert_eq!(radii.collect::<Vec<_>>(), [Some(2.0); 4]);
     assert_eq!(mitred(part), []);
     let off_mm = refold(&part.sheet, &part.flat.points, &part.sheet.rungs()).unwrap();
     assert!(off_mm < 1e-9, "refolded {off_mm} mm off");

@@ -346,7 +346,10 @@ fn bends(flow: &mut Flow, part: &Part, plan: Option<&Vec<Hit>>) {
         };
         let [left, right] = hit.line.radius_mm().map(radius);
         let radius = match (hit.line.is_fold, left == right) {
-            (true, _) => "fold".to_owned(),
+            (true, _) => match hit.line.inside_radius_mm {
+                Some(mm) => format!("fold, inside {}", radius(mm)),
+                None => "fold".to_owned(),
+            },
             (false, true) => left,
             (false, false) => format!("{left} / {right}"),
         };

@@ -40,6 +40,7 @@ fn row(page: &PartPage<'_>, n: usize, hit: &Hit) -> Vec<String> {
     let place = |p: Point2| format!("{}, {}", decimal(p.x, 1), decimal(p.y, 1));
     let way = if line.is_up() { "up" } else { "down" };
     let smooth = |numbers: [f64; 2]| if line.is_fold { "fold".to_owned() } else { pair(numbers) };
+    let inside = line.inside_radius_mm.map(|mm| format!("inside {}", decimal(mm, 2)));
     vec![
         format!("{way} {}", degrees(to_deg(line.angle.abs()))),
         degrees(to_deg(-hit.running)),
@@ -47,7 +48,7 @@ fn row(page: &PartPage<'_>, n: usize, hit: &Hit) -> Vec<String> {
         pair(hit.gauges_mm),
         pair(hit.fingers_mm),
         reference(page.part, hit),
-        smooth(line.radius_mm()),
+        inside.unwrap_or_else(|| smooth(line.radius_mm())),
         smooth(line.pitch_mm),
         warning(n, hit),
     ]

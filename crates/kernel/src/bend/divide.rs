@@ -320,6 +320,7 @@ impl Section<'_> {
             is_fold: false,
             ends: [0, 1].map(|n| self.rails[n].point(along_mm[n])),
             angle: self.sign * (to - from),
+            inside_radius_mm: None,
             pitch_mm,
             along_mm,
             beyond_mm: [None; 2],

@@ -22,6 +22,8 @@ pub(crate) struct FoldLine {
     pub(crate) ends: [Point2; 2],
     /// Radians, positive for a mountain.
     pub(crate) crease: f64,
+    /// Its sides of the mesh.
+    pub(crate) sides: Vec<usize>,
 }
 
 /// The folds of a sheet above this angle, radians, each as long as it goes straight on.
@@ -55,15 +57,17 @@ pub(crate) fn folds(sheet: &Mesh, flat: &[Point2], least: f64) -> Vec<FoldLine> 
     for n in 0..edges.len() {
         let Some(crease) = creases[n].filter(|_| !used[n]) else { continue };
         used[n] = true;
+        let mut sides = vec![n];
         let ends = edges[n].ends.map(|start| {
             let (mut side, mut end) = (n, start);
             while let Some(next) = on(side, end).filter(|&next| !used[next]) {
                 used[next] = true;
+                sides.push(next);
                 (side, end) = (next, far(next, end));
             }
             flat[end.get()]
         });
-        folds.push(FoldLine { ends, crease });
+        folds.push(FoldLine { ends, crease, sides });
     }
     folds
 }

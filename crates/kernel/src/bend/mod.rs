@@ -57,6 +57,9 @@ pub struct BendLine {
     /// The angle that the sheet is bent by along it, radians, positive for a mountain: down, away
     /// from the side that the pattern is seen from.
     pub angle: f64,
+    /// The inner radius of the tool that makes it, mm, where it is a fold and the flat sheet has the
+    /// bend allowance of that tool.
+    pub inside_radius_mm: Option<f64>,
     /// How wide its step is at both ends, across the line, mm; 0 of a fold and in an apex.
     pub pitch_mm: [f64; 2],
     /// How far both ends lie from the beginning of the strip along its sides, mm.
@@ -109,6 +112,7 @@ pub(crate) fn bend_lines(
             is_fold: true,
             ends: fold.ends,
             angle: fold.crease,
+            inside_radius_mm: inside_radius_mm(sheet, &fold.sides),
             pitch_mm: [0.0; 2],
             along_mm: [0.0; 2],
             beyond_mm: [None; 2],
@@ -118,7 +122,7 @@ pub(crate) fn bend_lines(
     let is_fold = folded_edges(sheet, &measures.rungs);
     let strips = strips(mesh);
     let corners = Corners::of(sheet, measures);
-    let laid = Laid { mesh, flat: &flat.points, corners: &corners, is_fold: &is_fold };
+    let laid = Laid { sheet, mesh, flat: &flat.points, corners: &corners, is_fold: &is_fold };
     let runs: Vec<Vec<Run>> = strips.iter().map(|strip| runs(strip, &laid)).collect();
     let of_runs: Vec<&Run> = runs.iter().flatten().collect();
     let mut divided = divided(&of_runs, bends.rule).into_iter();
@@ -138,6 +142,7 @@ pub(crate) fn bend_lines(
 
 /// Everything that strips are laid out by.
 struct Laid<'a> {
+    sheet: &'a Sheet,
     mesh: &'a Mesh,
     flat: &'a [Point2],
     corners: &'a Corners,
@@ -175,6 +180,7 @@ fn runs(strip: &Strip, laid: &Laid<'_>) -> Vec<Run> {
             is_fold: true,
             ends: strip.ends[last].map(|v| laid.flat[v.get()]),
             angle: crease(laid.mesh, &laid.mesh.edges()[edge]),
+            inside_radius_mm: inside_radius_mm(laid.sheet, &[edge]),
             pitch_mm: [0.0; 2],
             along_mm,
             beyond_mm: [None; 2],
@@ -185,6 +191,12 @@ fn runs(strip: &Strip, laid: &Laid<'_>) -> Vec<Run> {
         first = last + 1;
     }
     runs
+}
+
+/// The inner radius of the tool that makes a fold along these sides, if one makes all of them.
+fn inside_radius_mm(sheet: &Sheet, sides: &[usize]) -> Option<f64> {
+    let radii = sides.iter().map(|&side| sheet.fold_radius_mm(side));
+    radii.reduce(|a, b| a.zip(b).map(|(a, _)| a)).flatten()
 }
 
 /// The crease at a side, radians; 0 on the border.

@@ -79,7 +79,11 @@ pub(crate) fn rounded(
     let (sheet, flat) = match moved {
         Some((points, positions)) => {
             let (flat, _) = laid_at(sheet.mesh().topology(), &points);
-            (sheet.moved_to(positions).laid_at(&flat.points), flat)
+            let made = faces.lines.iter().filter(|line| line.mitred.is_none());
+            let mut sides: Vec<usize> = made.flat_map(|line| line.edges.iter().copied()).collect();
+            sides.sort_unstable();
+            let sheet = sheet.moved_to(positions).laid_at(&flat.points);
+            (sheet.with_tool_folds(tool.radius_mm(), sides), flat)
         }
         None => {
             let made = faces.lines.iter_mut().filter(|line| line.mitred.is_none());

@@ -61,6 +61,11 @@ impl<'a> FoldTool<'a> {
         Some(Self { material, thickness_mm, radius_mm: fold_radius_mm?, inner_mm })
     }
 
+    /// Its inner radius, mm.
+    pub(crate) fn radius_mm(&self) -> f64 {
+        self.radius_mm
+    }
+
     /// What a fold takes by its crease, radians, positive for a mountain.
     pub(crate) fn size(&self, crease: f64) -> FoldSize {
         let &Self { material, thickness_mm, radius_mm, inner_mm } = self;

@@ -62,6 +62,15 @@ pub struct Sheet {
     seams: Vec<Seam>,
     first_seam: usize,
     rung_ends: Vec<[VertexIndex; 2]>,
+    tool_folds: Option<ToolFolds>,
+}
+
+/// The folds of a sheet that has, on the flat, what a tool of a radius takes at them.
+#[derive(Clone, Debug, PartialEq)]
+struct ToolFolds {
+    radius_mm: f64,
+    /// By the sides of the mesh, in increasing order.
+    sides: Vec<usize>,
 }
 
 impl Sheet {
@@ -86,7 +95,7 @@ impl Sheet {
             Seam { sides, length_mm, gap_mm: 0.0 }
         };
         let seams = seams.into_iter().map(seam).collect();
-        Self { mesh, origin, seams, first_seam: 0, rung_ends: Vec::new() }
+        Self { mesh, origin, seams, first_seam: 0, rung_ends: Vec::new(), tool_folds: None }
     }
 
     /// The sheet with its vertices elsewhere in space, mm.
@@ -113,6 +122,19 @@ impl Sheet {
             seam.gap_mm = gap(0).max(gap(left.len() - 1));
         }
         self
+    }
+
+    /// The sheet that a tool of an inner radius folds at these sides of the mesh, in increasing
+    /// order.
+    pub(crate) fn with_tool_folds(self, radius_mm: f64, sides: Vec<usize>) -> Self {
+        Self { tool_folds: Some(ToolFolds { radius_mm, sides }), ..self }
+    }
+
+    /// The inner radius of the tool, mm, whose bend allowance the sheet has at the fold along a
+    /// side of its mesh; `None` where faces meet as mitred boards do.
+    pub(crate) fn fold_radius_mm(&self, side: usize) -> Option<f64> {
+        let folds = self.tool_folds.as_ref()?;
+        folds.sides.binary_search(&side).is_ok().then_some(folds.radius_mm)
     }
 
     /// Its triangles in space: along a cut, vertices lie on one another in pairs.
