@@ -39,6 +39,8 @@ const PLACES: RangeInclusive<f64> = -FARTHEST_MM..=FARTHEST_MM;
 const ALLOWANCES: RangeInclusive<f64> = 0.0..=1000.0;
 /// How thick a sheet may be, mm; 0 where it is as its material.
 const THICKNESSES: RangeInclusive<f64> = 0.0..=1000.0;
+/// The inner radius of a tool that folds, mm; 0 takes that of the material.
+const BEND_RADII: RangeInclusive<f64> = 0.0..=10_000.0;
 /// How near outlines may be held to their curves, mm: down to what a field shows.
 const TOLERANCES: RangeInclusive<f64> = 0.01..=MOST_TOLERANCE_MM;
 /// The tolerance that a panel gets first where it is to have one, mm: less than a knife cuts.
@@ -284,10 +286,11 @@ fn trade_ui(ui: &mut Ui, design: &Design, acts: &mut Vec<Act>) {
     });
 }
 
-/// How thick the sheet is, and which face of it is drawn.
+/// How thick the sheet is, which face of it is drawn, and how sharply it is folded.
 fn thickness_ui(ui: &mut Ui, document: &Document, theme: &Theme, acts: &mut Vec<Act>) {
     let design = &document.design;
-    let mut to = (design.thickness_mm, design.dimensions);
+    let before = (design.thickness_mm, design.dimensions, design.bend_radius_mm);
+    let mut to = before;
     let field = Field { theme, of: Id::unique("sheet"), label: "Thickness" };
     let mm = design.sheet_thickness_mm().unwrap_or(0.0);
     if let Some(mm) = field.length(ui, mm, document.drawing.units, THICKNESSES) {
@@ -306,9 +309,19 @@ fn thickness_ui(ui: &mut Ui, document: &Document, theme: &Theme, acts: &mut Vec<
             ui.selectable_value(&mut to.1, face, title(face));
         }
     });
-    let (thickness_mm, dimensions) = to;
-    if to != (design.thickness_mm, design.dimensions) {
-        acts.push(Act::Edit(Edit::SetSheet { thickness_mm, dimensions }));
+    // Without a drawn face, no fold has an allowance.
+    if let Some(thick) = design.thick() {
+        let usual = Design { bend_radius_mm: None, ..design.clone() };
+        let usual_mm = usual.thick().and_then(|thick| thick.fold_radius_mm);
+        let field = Field { label: "Bend radius", ..field };
+        let mm = thick.fold_radius_mm.unwrap_or(0.0);
+        if let Some(mm) = field.length(ui, mm, document.drawing.units, BEND_RADII) {
+            to.2 = Some(mm).filter(|&mm| mm > 0.0 && Some(mm) != usual_mm);
+        }
+    }
+    let (thickness_mm, dimensions, bend_radius_mm) = to;
+    if to != before {
+        acts.push(Act::Edit(Edit::SetSheet { thickness_mm, dimensions, bend_radius_mm }));
     }
 }
 

@@ -99,9 +99,10 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             next.design.stock = stock.as_deref().cloned();
             Ok(Edited::of(next))
         }
-        Edit::SetSheet { thickness_mm, dimensions } => {
+        Edit::SetSheet { thickness_mm, dimensions, bend_radius_mm } => {
             let mut next = document.clone();
             (next.design.thickness_mm, next.design.dimensions) = (*thickness_mm, *dimensions);
+            next.design.bend_radius_mm = *bend_radius_mm;
             with_sheet(document, next)
         }
         Edit::SetMaterial(name) => {

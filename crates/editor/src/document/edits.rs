@@ -78,12 +78,14 @@ pub enum Edit {
     SetPreset(Option<String>),
     /// What the parts are cut from; `None` where they are not laid out.
     SetStock(Option<Box<Stock>>),
-    /// How thick the sheet is, and which face of it is drawn.
+    /// How thick the sheet is, which face of it is drawn, and how sharply it is folded.
     SetSheet {
         /// The thickness, mm; `None` for that of its material.
         thickness_mm: Option<f64>,
         /// The face; `None` where the pattern is that of what is drawn.
         dimensions: Option<Dimensions>,
+        /// The inner radius of the tool that makes sharp folds, mm; `None` for that of its material.
+        bend_radius_mm: Option<f64>,
     },
     /// How the design is drawn.
     SetDrawing(Box<Drawing>),

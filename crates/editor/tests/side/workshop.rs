@@ -50,6 +50,7 @@ fn thickness_drawn_face_and_preset_are_fields_of_the_sheet() {
     hands.harness.run_steps(5);
     // A face is that of a sheet: what is not known is said, and nothing changes.
     assert_eq!(field(&hands, "Thickness").unwrap().1, "0 mm");
+    assert!(field(&hands, "Bend radius").is_none());
     open_list(&mut hands, "As it is drawn");
     hands.click("Inside");
     hands.step();
@@ -64,6 +65,14 @@ fn thickness_drawn_face_and_preset_are_fields_of_the_sheet() {
     hands.settle();
     assert_eq!(design(&hands).dimensions, Some(Dimensions::Inside));
     assert!(first(&hands).size.x > bare.x + 1.0, "{:?}, bare {bare:?}", first(&hands).size);
+    // The radius of the tool is that of the sheet until one is typed, and 0 is that again.
+    assert_eq!(field(&hands, "Bend radius").unwrap().1, "2 mm");
+    hands.type_into("Bend radius", "3mm");
+    assert_eq!(design(&hands).bend_radius_mm, Some(3.0));
+    assert_eq!(field(&hands, "Bend radius").unwrap().1, "3 mm");
+    hands.type_into("Bend radius", "0");
+    assert_eq!(design(&hands).bend_radius_mm, None);
+    hands.settle();
     // The thickness of a material needs not be said twice.
     hands
         .harness
