@@ -4,7 +4,8 @@
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
 use sheetwright::design::{Design, PanelMethod, PanelShape};
-use sheetwright::make::make;
+use sheetwright::edge::Edge;
+use sheetwright::make::{Made, make};
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
@@ -150,5 +151,52 @@ fn the_pieces_of_a_y_branch_meet() {
             println!("{} {}", panel.name, sheetwright::math::to_deg(panel.measures.warp_max));
             assert_eq!(panel.checked.verdict, Verdict::Bends, "{}", panel.name);
         }
+    }
+}
+
+/// The edges of a made template that lie on a curve of this name, by their parts.
+fn edges<'a>(made: &'a Made, name: &'a str) -> impl Iterator<Item = &'a Edge> + 'a {
+    let all = made.parts.iter().flat_map(|part| &part.edges);
+    all.filter(move |edge| edge.name == name)
+}
+
+#[test]
+fn rings_of_an_elbow_are_joined_wherever_their_seams_are() {
+    for seam in ["throat", "staggered"] {
+        let mut values = template("elbow").unwrap().defaults();
+        values.set("seam", Value::Choice(seam.to_owned())).unwrap();
+        let made = make(&values.design().unwrap(), &mut Unwatched).unwrap();
+        let mut joined = 0;
+        for (part, edge) in made.parts.iter().flat_map(|p| p.edges.iter().map(move |e| (p, e))) {
+            let is_mouth = edge.name == "cut-1a" || edge.name == "cut-5b";
+            let is_seam = edge.name == "start" || edge.name == "end";
+            let [mate] = edge.mates[..] else {
+                assert!(is_mouth && edge.mates.is_empty(), "{} {}", part.name, edge.name);
+                continue;
+            };
+            joined += usize::from(!is_seam);
+            assert!(edge.difference_mm.unwrap() < 0.01, "{}: {:?}", edge.name, edge.difference_mm);
+            assert!((edge.shared_mm[0][0] - edge.length_flat_mm).abs() < 0.01, "{}", edge.name);
+            assert_eq!(made.parts[mate.part].name == part.name, is_seam);
+        }
+        assert_eq!(joined, 8, "{seam}");
+    }
+}
+
+#[test]
+fn the_edges_of_a_y_branch_are_joined_along_what_they_share() {
+    let design = template("y-branch").unwrap().defaults().design().unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let edge = |name| edges(&made, name).next().unwrap();
+    let (trunk, right, left) = (edge("trunk-top"), edge("right-cut"), edge("left-cut"));
+    for name in ["trunk-foot", "right-end", "left-end"] {
+        assert!(edge(name).mates.is_empty(), "{name}");
+    }
+    for edge in [trunk, right, left] {
+        assert_eq!(edge.mates.len(), 2, "{}", edge.name);
+        assert!(edge.difference_mm.unwrap() < 0.1, "{}: {:?}", edge.name, edge.difference_mm);
+        // Both stretches together are the whole of it.
+        let common: f64 = edge.shared_mm.iter().map(|shared| shared[0]).sum();
+        assert!((common - edge.length_flat_mm).abs() < 0.1, "{}: {common}", edge.name);
     }
 }

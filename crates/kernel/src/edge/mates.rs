@@ -2,11 +2,10 @@
 //!
 //! Two edges on one curve are mates where they have a stretch of it in common. Where both have the
 //! same samples, that is the steps that they share, bit by bit. Where they were sampled apart, it
-//! is what `shared` finds. Edges on two curves are mates where the whole of one lies on the whole
-//! of the other (`twins`).
+//! is what `shared` finds. Edges on two curves are mates where they lie on one another (`twins`).
 
 use super::shared::{Shared, lengths, shared};
-use super::twins::twins;
+use super::twins::{Twins, twins};
 use super::{Edge, EdgePlace, EdgeSource, PartEdges};
 use crate::sample::StepPlace;
 use sheetwright_geometry::boundary::size_of;
@@ -19,6 +18,8 @@ struct Placed {
     at: EdgePlace,
     /// The number of the curve that it lies on, if it lies on one.
     curve: Option<usize>,
+    /// Whether it is a whole loop.
+    is_loop: bool,
     space: Vec<Point3>,
     flat: Vec<Point2>,
     /// The flat length of each of its steps, mm, by where it lies in space.
@@ -36,7 +37,12 @@ impl Placed {
             EdgeSource::Curve(number) => Some(number),
             _ => None,
         };
-        Self { at, curve, space, flat, steps }
+        Self { at, curve, is_loop: edge.is_loop(), space, flat, steps }
+    }
+
+    /// The stretches that it shares with another edge of its group.
+    fn shared(&self, other: &Self) -> Vec<Shared> {
+        shared((&self.space, self.is_loop), (&other.space, other.is_loop))
     }
 
     /// The length on the pattern, mm, from one length in space to another, which may go on beyond
@@ -79,21 +85,33 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     let least_mm = Tolerance::CHAIN.length_mm(size);
     let of_groups = groups.iter().flat_map(|(group, list)| {
         let pairs = pairs(group, list, least_mm).into_iter();
-        pairs.map(move |pair| pair.map(|n| &list[n]))
+        pairs.map(move |pair| (pair.map(|n| &list[n]), None))
     });
     let on_curves: Vec<&Placed> =
         groups.values().flatten().filter(|edge| edge.curve.is_some()).collect();
     let of_twins = {
-        let lines: Vec<&[Point3]> = on_curves.iter().map(|edge| &edge.space[..]).collect();
-        let pairs = twins(&lines, least_mm).into_iter().map(|pair| pair.map(|n| on_curves[n]));
-        pairs.filter(|[a, b]| a.curve != b.curve).collect::<Vec<_>>()
+        let lines: Vec<(&[Point3], bool)> =
+            on_curves.iter().map(|edge| (&edge.space[..], edge.is_loop)).collect();
+        let is_other = |[a, b]: [usize; 2]| on_curves[a].curve != on_curves[b].curve;
+        let pairs = twins(&lines, least_mm, is_other).into_iter();
+        pairs.map(|Twins { pair, common }| (pair.map(|n| on_curves[n]), common)).collect::<Vec<_>>()
     };
-    for [a, b] in of_groups.chain(of_twins) {
-        let Some([of_a, of_b]) = in_common(a, b, least_mm) else { continue };
-        for (own, mate, shared_mm) in [(a.at, b.at, [of_a, of_b]), (b.at, a.at, [of_b, of_a])] {
+    for ([a, b], found) in of_groups.chain(of_twins) {
+        let commons = match found {
+            Some(common) => {
+                let swapped = common.iter().map(|shared| shared.swapped()).collect();
+                [common, swapped]
+            }
+            None => [a.shared(b), b.shared(a)],
+        };
+        let Some([of_a, of_b]) = in_common(a, b, &commons[0], least_mm) else { continue };
+        let [common, swapped] = commons;
+        let sides = [(a.at, b.at, [of_a, of_b], common), (b.at, a.at, [of_b, of_a], swapped)];
+        for (own, mate, shared_mm, common) in sides {
             let edge = &mut parts[own.part].edges[own.edge];
             let place = edge.mates.partition_point(|other| *other < mate);
             edge.mates.insert(place, mate);
+            edge.common.insert(place, common);
             edge.shared_mm.insert(place, shared_mm);
             let difference = (of_a - of_b).abs();
             edge.difference_mm = Some(edge.difference_mm.unwrap_or(0.0).max(difference));
@@ -173,17 +191,19 @@ fn ends_on_one_another(list: &[Placed], within_mm: f64) -> BTreeSet<[usize; 2]> 
 }
 
 /// The length that two edges have in common, on the pattern of each, mm; `None` if it is not above
-/// `least_mm`.
-fn in_common(a: &Placed, b: &Placed, least_mm: f64) -> Option<[f64; 2]> {
+/// `least_mm`. `common` are the stretches of it.
+fn in_common(a: &Placed, b: &Placed, common: &[Shared], least_mm: f64) -> Option<[f64; 2]> {
     let (few, many) = if a.steps.len() < b.steps.len() { (a, b) } else { (b, a) };
     let steps: BTreeSet<&StepPlace> =
         few.steps.keys().filter(|step| many.steps.contains_key(*step)).collect();
     if !steps.is_empty() {
         return Some([a, b].map(|edge| steps.iter().map(|step| edge.steps[*step]).sum()));
     }
-    let Shared { first, second } = shared(&a.space, &b.space)?;
-    let is_enough = first[1] - first[0] > least_mm;
-    is_enough.then(|| [a.flat_mm(first), b.flat_mm(second)])
+    let length_mm: f64 = common.iter().map(|Shared { first: [from, to], .. }| to - from).sum();
+    (length_mm > least_mm).then(|| {
+        let of_a = common.iter().map(|shared| a.flat_mm(shared.first)).sum();
+        [of_a, common.iter().map(|shared| b.flat_mm(shared.second)).sum()]
+    })
 }
 
 #[cfg(test)]

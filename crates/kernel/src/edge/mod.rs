@@ -20,7 +20,9 @@ pub(crate) use mates::join_mates;
 pub(crate) use of_boundary::edges_of_boundary;
 pub(crate) use of_mesh::{MeshBorder, edges_of_meshes};
 pub(crate) use of_piece::{PieceStep, edges_of_piece};
-pub(crate) use shared::{Shared, lengths, shared};
+#[cfg(test)]
+pub(crate) use shared::shared;
+pub(crate) use shared::{Shared, lengths};
 
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -82,6 +84,8 @@ pub struct Edge {
     pub length_flat_mm: f64,
     /// The edges that it is joined to, in order; none of a free edge.
     pub mates: Vec<EdgePlace>,
+    /// The stretches that it shares with each of those, by lengths in space.
+    pub(crate) common: Vec<Vec<Shared>>,
     /// How long it and each of those is on the pattern along what both share, mm.
     pub shared_mm: Vec<[f64; 2]>,
     /// The largest difference between its length on the pattern and that of a mate, along what both
@@ -101,9 +105,17 @@ impl Edge {
         let steps = || run.windows(2);
         let length_space_mm = steps().map(|s| space[s[0]].distance(space[s[1]])).sum();
         let length_flat_mm = steps().map(|s| flat[s[0]].distance(flat[s[1]])).sum();
-        let (mates, shared_mm) = (Vec::new(), Vec::new());
-        let difference_mm = None;
-        Self { name, source, run, length_space_mm, length_flat_mm, mates, shared_mm, difference_mm }
+        Self {
+            name,
+            source,
+            run,
+            length_space_mm,
+            length_flat_mm,
+            mates: Vec::new(),
+            common: Vec::new(),
+            shared_mm: Vec::new(),
+            difference_mm: None,
+        }
     }
 
     /// Whether it is a whole loop.

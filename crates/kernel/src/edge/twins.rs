@@ -1,27 +1,45 @@
 //! Edges on two curves that lie on one another, as where two pipes meet of which each has a curve
-//! of its own.
+//! of its own, or where three meet and each edge lies on a part of either other.
 //!
 //! Sampled apart, two polylines on one curve are as far from one another as their chords are from
 //! the curve. How far that is can be told from a polyline alone: a point lies four times as far
 //! from the chord of its neighbours. So each corner of one must lie nearer to the other than both
-//! chords may lie, and likewise the other way round.
+//! chords may lie, and likewise the other way round. Where that holds for a run of corners alone,
+//! the run is a common stretch, unless it is so short that two curves which merely touch would be
+//! as near to one another.
 
+use super::shared::{Line, Shared, parted};
 use sheetwright_geometry::math::{Point3, unit};
 
 /// A point where a polyline turns by more than this (the cosine of 30°) is a corner of its curve,
 /// which lies on both.
 const CORNER_COS: f64 = 0.866;
+/// A common stretch is no shorter than this share of the shorter edge.
+const LEAST_SHARE: f64 = 0.05;
+/// A common stretch is no shorter than so many times the distance within which it is found: two
+/// curves that part by half a degree are as near to one another along a hundred times that.
+const LEAST_TIMES: f64 = 100.0;
+/// Both lengths of a common stretch differ by less than this share.
+const SAME_LENGTH: f64 = 0.1;
 
-struct Line<'a> {
-    points: &'a [Point3],
+/// Two edges that lie on one another.
+pub(super) struct Twins {
+    /// Their numbers, the smaller one first.
+    pub(super) pair: [usize; 2],
+    /// Along which stretches; `None` where the whole of one lies on the whole of the other.
+    pub(super) common: Option<Vec<Shared>>,
+}
+
+struct Course<'a> {
+    line: Line<'a>,
     low: Point3,
     high: Point3,
     /// The largest distance of its chords from its curve, mm, estimated.
     off_mm: f64,
 }
 
-impl<'a> Line<'a> {
-    fn new(points: &'a [Point3]) -> Self {
+impl<'a> Course<'a> {
+    fn new((points, is_loop): (&'a [Point3], bool)) -> Self {
         let [low, high] = [f64::min, f64::max].map(|of| {
             let both = |a: Point3, b: Point3| Point3::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z));
             points.iter().copied().reduce(both).unwrap_or_default()
@@ -31,46 +49,119 @@ impl<'a> Line<'a> {
             let is_smooth = unit(a)?.dot(unit(b)?) > CORNER_COS;
             is_smooth.then(|| 0.25 * three[1].distance_to_segment([three[0], three[2]]))
         });
-        Self { points, low, high, off_mm: off_mm.fold(0.0, f64::max) }
+        let off_mm = off_mm.fold(0.0, f64::max);
+        Self { line: Line::new(points, is_loop), low, high, off_mm }
     }
 
-    fn is_near(&self, other: &Self, within_mm: f64) -> bool {
-        self.points.iter().all(|&p| {
-            let mut steps = other.points.windows(2);
-            steps.any(|step| p.distance_to_segment([step[0], step[1]]) <= within_mm)
-        })
+    /// Whether a point lies near to it.
+    fn has_near(&self, p: Point3, within_mm: f64) -> bool {
+        let is_between =
+            |at: f64, low: f64, high: f64| low - within_mm <= at && at <= high + within_mm;
+        let is_in_box = is_between(p.x, self.low.x, self.high.x)
+            && is_between(p.y, self.low.y, self.high.y)
+            && is_between(p.z, self.low.z, self.high.z);
+        let mut steps = self.line.points.windows(2);
+        is_in_box && steps.any(|step| p.distance_to_segment([step[0], step[1]]) <= within_mm)
+    }
+
+    /// Which of its points lie near to another.
+    fn near(&self, other: &Self, within_mm: f64) -> Vec<bool> {
+        self.line.points.iter().map(|&p| other.has_near(p, within_mm)).collect()
     }
 }
 
-/// The pairs of polylines that lie on one another as wholes, up to `least_mm` and how far chords
-/// lie from curves.
-pub(super) fn twins(lines: &[&[Point3]], least_mm: f64) -> Vec<[usize; 2]> {
-    let lines: Vec<Line<'_>> = lines.iter().map(|points| Line::new(points)).collect();
+/// The pairs of polylines that lie on one another, up to `least_mm` and how far chords lie from
+/// curves; of each it is said whether it is a whole loop, and `may_meet` says which are looked at.
+pub(super) fn twins(
+    lines: &[(&[Point3], bool)],
+    least_mm: f64,
+    may_meet: impl Fn([usize; 2]) -> bool,
+) -> Vec<Twins> {
+    let lines: Vec<Course<'_>> = lines.iter().map(|&line| Course::new(line)).collect();
     let most_mm = least_mm + 2.0 * lines.iter().map(|line| line.off_mm).fold(0.0, f64::max);
     let mut by_x: Vec<usize> = (0..lines.len()).collect();
     by_x.sort_by(|&a, &b| lines[a].low.x.total_cmp(&lines[b].low.x).then(a.cmp(&b)));
-    let mut pairs = Vec::new();
+    let mut found = Vec::new();
     for (place, &n) in by_x.iter().enumerate() {
-        let a = &lines[n];
         let beside = by_x[place + 1..].iter();
-        for &k in beside.take_while(|&&k| lines[k].low.x - a.low.x <= most_mm) {
-            let b = &lines[k];
-            let within_mm = least_mm + a.off_mm + b.off_mm;
-            let is_in_box = a.low.distance(b.low).max(a.high.distance(b.high)) <= 2.0 * within_mm;
-            if is_in_box && a.is_near(b, within_mm) && b.is_near(a, within_mm) {
-                pairs.push([n.min(k), n.max(k)]);
+        for &k in beside.take_while(|&&k| lines[k].low.x <= lines[n].high.x + most_mm) {
+            let pair = [n.min(k), n.max(k)];
+            if may_meet(pair) {
+                let common = common(&lines[pair[0]], &lines[pair[1]], least_mm);
+                found.extend(common.map(|common| Twins { pair, common }));
             }
         }
     }
-    pairs.sort_unstable();
-    pairs
+    found.sort_by_key(|twins| twins.pair);
+    found
+}
+
+/// How two polylines lie on one another, if they do: along which stretches, or as wholes.
+fn common(a: &Course<'_>, b: &Course<'_>, least_mm: f64) -> Option<Option<Vec<Shared>>> {
+    let within_mm = least_mm + a.off_mm + b.off_mm;
+    let [low, high] = [a.low.to_vec() - b.high.to_vec(), b.low.to_vec() - a.high.to_vec()];
+    let apart = [low.x, low.y, low.z, high.x, high.y, high.z];
+    if apart.into_iter().any(|gap| gap > within_mm) {
+        return None;
+    }
+    let near = [a.near(b, within_mm), b.near(a, within_mm)];
+    if near.iter().flatten().all(|&is_near| is_near) {
+        return Some(None);
+    }
+    let stretches = stretches([a, b], [&near[0], &near[1]], within_mm);
+    (!stretches.is_empty()).then_some(Some(stretches))
+}
+
+/// The common stretches of two polylines of which these points lie near to the other.
+fn stretches(
+    [a, b]: [&Course<'_>; 2],
+    [near_a, near_b]: [&[bool]; 2],
+    within_mm: f64,
+) -> Vec<Shared> {
+    let whole = a.line.length();
+    let least_mm = (LEAST_SHARE * whole.min(b.line.length())).max(LEAST_TIMES * within_mm);
+    // Where the points of each lie on the first one: a stretch may end between two of its own.
+    let own = near_a.iter().zip(&a.line.lengths).map(|(&near, &at)| (at, near));
+    let points_of_b = near_b.iter().zip(b.line.points).filter(|(near, _)| **near);
+    let others = points_of_b.map(|(_, &p)| (a.line.nearest(p), true));
+    let mut places: Vec<(f64, bool)> = own.chain(others).collect();
+    places.sort_by(|p, q| p.0.total_cmp(&q.0));
+    if a.line.is_loop {
+        // A loop begins where it is apart, so that no stretch runs over its beginning.
+        places.pop();
+        let first = places.iter().position(|(_, near)| !near).unwrap_or(0);
+        places.rotate_left(first);
+        let turned = places.len() - first;
+        places[turned..].iter_mut().for_each(|(at, _)| *at += whole);
+    }
+    let runs = places.chunk_by(|p, q| p.1 == q.1).filter(|run| run[0].1);
+    let stretch = |run: &[(f64, bool)]| {
+        let [from, to] = [run[0].0, run[run.len() - 1].0];
+        let mut along = b.line.nearest(a.line.at(from));
+        let start = along;
+        for &(at, _) in &run[1..] {
+            along = b.line.nearest_about(a.line.at(at), along);
+        }
+        Shared { first: [from, to], second: [start, along] }
+    };
+    let is_common = |shared: &Shared| {
+        let [own, other] = [shared.first, shared.second].map(|[from, to]| (to - from).abs());
+        own >= least_mm && (own - other).abs() <= SAME_LENGTH * own
+    };
+    let found = runs.map(stretch).filter(is_common);
+    found.flat_map(|shared| parted(shared, &a.line, &b.line)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use sheetwright_geometry::math::{cos, sin};
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, TAU};
+
+    fn of(lines: &[&[Point3]]) -> Vec<([usize; 2], Option<Vec<Shared>>)> {
+        let lines: Vec<(&[Point3], bool)> = lines.iter().map(|&points| (points, false)).collect();
+        twins(&lines, 1e-6, |_| true).into_iter().map(|t| (t.pair, t.common)).collect()
+    }
 
     /// A ring of 100 mm about a height, closed, in so many steps from an angle.
     fn ring(steps: usize, from: f64, z: f64) -> Vec<Point3> {
@@ -85,9 +176,41 @@ mod tests {
     fn rings_that_begin_elsewhere_are_twins_and_rings_beside_them_are_none() {
         let rings = [ring(60, 0.0, 0.0), ring(47, 1.0, 0.0), ring(60, 0.3, 1.0)];
         let lines: Vec<&[Point3]> = rings.iter().map(|ring| &ring[..]).collect();
-        assert_eq!(twins(&lines, 1e-6), [[0, 1]]);
-        let half = &rings[0][..31];
-        assert_eq!(twins(&[half, lines[1]], 1e-6), Vec::<[usize; 2]>::new());
+        assert_eq!(of(&lines), [([0, 1], None)]);
+    }
+
+    #[test]
+    fn a_part_of_a_ring_is_a_stretch_of_it() {
+        let [ring, other] = [ring(60, 0.0, 0.0), ring(47, 1.0, 0.0)];
+        let (half, whole) = (&ring[..31], ring.len() as f64 / 2.0);
+        let found = of(&[half, &other]);
+        assert_eq!(found.len(), 1);
+        let length_mm = PI * 100.0;
+        // The other one begins at an angle of 1, on the half: the stretch is parted there.
+        let stretches = found[0].1.clone().unwrap();
+        let lengths: Vec<f64> = stretches.iter().map(|s| s.first[1] - s.first[0]).collect();
+        assert_eq!(lengths.len(), 2, "{lengths:?} of {whole}");
+        assert!((lengths[0] - 100.0).abs() < 0.5, "{lengths:?}");
+        assert!((lengths[0] + lengths[1] - length_mm).abs() < 0.5, "{lengths:?}");
+        // Two arcs that begin and end at other places have what lies between in common.
+        let arcs = [&ring[..31], &ring[20..51]];
+        let stretches = of(&arcs)[0].1.clone().unwrap();
+        assert_eq!(stretches.len(), 1);
+        assert!((stretches[0].first[1] - stretches[0].first[0] - length_mm / 3.0).abs() < 0.1);
+        assert!(stretches[0].second[0].abs() < 1e-9, "{stretches:?}");
+    }
+
+    #[test]
+    fn lines_that_cross_or_touch_have_nothing_in_common() {
+        let ring = ring(60, 0.0, 0.0);
+        let touching = [Point3::new(100.0, -50.0, 0.0), Point3::new(100.0, 50.0, 0.0)];
+        let crossing = [Point3::new(0.0, 0.0, 0.0), Point3::new(200.0, 1.0, 0.0)];
+        assert!(of(&[&ring, &touching]).is_empty());
+        assert!(of(&[&ring, &crossing]).is_empty());
+        // Of two straight ones that overlap, the overlap.
+        let along = |from: f64, to: f64| [from, to].map(|x| Point3::new(x, 0.0, 0.0));
+        let found = of(&[&along(0.0, 10.0), &along(16.0, 6.0)]);
+        assert_eq!(found[0].1, Some(vec![Shared { first: [6.0, 10.0], second: [10.0, 6.0] }]));
     }
 
     #[test]
@@ -97,7 +220,7 @@ mod tests {
             points.map(|[x, y]| Point3::new(x, y, 0.0)).to_vec()
         };
         let [a, b] = [zigzag(0.0), zigzag(0.5)];
-        assert!(twins(&[&a, &b], 1e-6).is_empty());
-        assert_eq!(twins(&[&a, &a], 1e-6), [[0, 1]]);
+        assert!(of(&[&a, &b]).is_empty());
+        assert_eq!(of(&[&a, &a]), [([0, 1], None)]);
     }
 }

@@ -10,7 +10,7 @@ use super::stretch::{Spot, Stretch};
 use super::tabs::{Side, Tab, tabs};
 use super::{Faulted, TrimFault, Work, is_joint};
 use crate::design::{Holes, Notches, Tabs, Ticks, TrimKind};
-use crate::edge::{EdgePlace, Shared, lengths, shared};
+use crate::edge::{EdgePlace, Shared, lengths};
 use crate::pattern::{PathKind, PatternPath, Role};
 use sheetwright_geometry::math::{Point2, Point3};
 
@@ -24,38 +24,42 @@ pub(super) struct Pair {
     first: EdgePlace,
     /// The edge that it is joined to, with whether the trim stands on that, too.
     second: Option<(EdgePlace, bool)>,
-    /// What both share; of one edge, its whole length.
+    /// A stretch that both share; of one edge, its whole length.
     shared: Shared,
 }
 
-/// The pairs of the edges that a trim stands on: each joint once.
+/// The pairs of the edges that a trim stands on: each joint once, and as often as it has stretches
+/// apart.
 pub(super) fn pairs(parts: &[TrimPart<'_>], on: &[(EdgePlace, bool)]) -> Vec<Pair> {
-    let space = |place: EdgePlace| -> Vec<Point3> {
-        let part = &parts[place.part];
-        part.edges[place.edge].run.iter().map(|&v| part.space[v]).collect()
-    };
     let is_on = |place: EdgePlace| on.iter().any(|&(other, _)| other == place);
     let mut pairs = Vec::new();
     for &(first, _) in on {
         let edge = &parts[first.part].edges[first.edge];
         if edge.mates.is_empty() {
-            let whole = [0.0, lengths(&space(first)).last().copied().unwrap_or(0.0)];
+            let space = parts[first.part].space;
+            let points: Vec<Point3> = edge.run.iter().map(|&v| space[v]).collect();
+            let whole = [0.0, lengths(&points).last().copied().unwrap_or(0.0)];
             let shared = Shared { first: whole, second: whole };
             pairs.push(Pair { first, second: None, shared });
         }
-        for &mate in &edge.mates {
+        for (&mate, common) in edge.mates.iter().zip(&edge.common) {
             // Of two edges that the trim stands on, the first one speaks for both.
             if is_on(mate) && mate < first {
                 continue;
             }
-            let Some(shared) = shared(&space(first), &space(mate)) else { continue };
-            pairs.push(Pair { first, second: Some((mate, is_on(mate))), shared });
+            let second = Some((mate, is_on(mate)));
+            pairs.extend(common.iter().map(|&shared| Pair { first, second, shared }));
         }
     }
     pairs
 }
 
 impl Pair {
+    /// Whether another pair is a stretch of the joint that this one is of.
+    fn is_of_joint(&self, other: &Self) -> bool {
+        self.first == other.first && self.second == other.second
+    }
+
     /// The edges of it.
     fn places(&self) -> impl Iterator<Item = EdgePlace> {
         std::iter::once(self.first).chain(self.second.map(|(mate, _)| mate))
@@ -88,7 +92,9 @@ impl Work<'_> {
     pub(super) fn join(&mut self) -> Result<(), Faulted> {
         let trims = self.trims;
         for (number, trim) in trims.iter().enumerate().filter(|(_, trim)| is_joint(&trim.kind)) {
-            for pair in self.pairs(number) {
+            let pairs = self.pairs(number);
+            for of_joint in pairs.chunk_by(Pair::is_of_joint) {
+                let pair = of_joint[0];
                 let Some((mate, is_on_both)) = pair.second else { continue };
                 let holds = |place: EdgePlace| {
                     let moving = &self.moving[place.part][place.edge];
@@ -97,25 +103,40 @@ impl Work<'_> {
                 if !holds(pair.first) || !holds(mate) {
                     continue;
                 }
-                let stretches = [self.stretch(pair.first), self.stretch(mate)];
-                let jointed = match &trim.kind {
-                    TrimKind::Tabs(tabs) => {
-                        self.add_tabs(&pair, [pair.first, mate], is_on_both, tabs);
-                        continue;
+                if let TrimKind::Tabs(tabs) = &trim.kind {
+                    self.add_tabs(of_joint, [pair.first, mate], is_on_both, tabs);
+                    continue;
+                }
+                for pair in of_joint {
+                    let jointed = self.jointed(pair, mate, &trim.kind)?;
+                    if let Some(jointed) = jointed {
+                        self.add_joint([pair.first, mate], jointed);
                     }
-                    TrimKind::Fingers(kind) => fingers(stretches, &pair.shared, kind),
-                    TrimKind::Puzzle(kind) => puzzle(stretches, &pair.shared, kind),
-                    TrimKind::Slots(kind) => {
-                        let called = || self.edge_name(mate);
-                        let made = slots(stretches, &pair.shared, kind, called);
-                        made.map_err(|fault| (Some(mate.part), fault))?
-                    }
-                    _ => continue,
-                };
-                self.add_joint([pair.first, mate], jointed);
+                }
             }
         }
         Ok(())
+    }
+
+    /// What a trim of this kind adds and removes along a stretch of a joint; `None` if it is none
+    /// that interlocks.
+    fn jointed(
+        &self,
+        pair: &Pair,
+        mate: EdgePlace,
+        kind: &TrimKind,
+    ) -> Result<Option<Jointed>, Faulted> {
+        let stretches = [self.stretch(pair.first), self.stretch(mate)];
+        Ok(Some(match kind {
+            TrimKind::Fingers(kind) => fingers(stretches, &pair.shared, kind),
+            TrimKind::Puzzle(kind) => puzzle(stretches, &pair.shared, kind),
+            TrimKind::Slots(kind) => {
+                let called = || self.edge_name(mate);
+                let made = slots(stretches, &pair.shared, kind, called);
+                made.map_err(|fault| (Some(mate.part), fault))?
+            }
+            _ => return Ok(None),
+        }))
     }
 
     fn add_joint(&mut self, places: [EdgePlace; 2], jointed: Jointed) {
@@ -127,25 +148,40 @@ impl Work<'_> {
         }
     }
 
-    /// Tabs on that side of a joint that has more room for them, or on the one that was named.
-    fn add_tabs(&mut self, pair: &Pair, places: [EdgePlace; 2], may_choose: bool, kind: &Tabs) {
+    /// Tabs on that side of a joint that has more room for them, or on the one that was named: the
+    /// same side along all of its stretches.
+    fn add_tabs(
+        &mut self,
+        of_joint: &[Pair],
+        places: [EdgePlace; 2],
+        may_choose: bool,
+        kind: &Tabs,
+    ) {
         let side = |place: EdgePlace| Side {
             stretch: self.stretch(place),
             net: &self.nets[place.part],
             beyond: &self.made[place.part].added,
         };
-        let [first, mate] = places;
-        let Shared { first: of_first, second: of_mate } = pair.shared;
-        // Run forwards along the mate.
-        let turned = if of_mate[0] <= of_mate[1] {
-            Shared { first: of_mate, second: of_first }
-        } else {
-            Shared { first: [of_mate[1], of_mate[0]], second: [of_first[1], of_first[0]] }
+        let length = |shared: &Shared| shared.first[1] - shared.first[0];
+        let whole: f64 = of_joint.iter().map(|pair| length(&pair.shared)).sum();
+        let along = |own: EdgePlace, mate: EdgePlace, is_first: bool| {
+            let (mut all, mut covered) = (Vec::new(), 0.0);
+            for Pair { shared, .. } in of_joint {
+                let of_own = if is_first { *shared } else { shared.swapped() };
+                let before = all.iter().map(|tab: &Tab| tab.polygon.clone());
+                let beyond: Vec<Vec<Point2>> =
+                    self.made[own.part].added.iter().cloned().chain(before).collect();
+                let own = Side { beyond: &beyond, ..side(own) };
+                let (made, share) = tabs(&own, &side(mate), &of_own, kind);
+                all.extend(made);
+                covered += share * length(shared) / whole;
+            }
+            (all, covered)
         };
-        let on_first = tabs(&side(first), &side(mate), &pair.shared, kind);
-        let mut best: (EdgePlace, (Vec<Tab>, f64)) = (first, on_first);
+        let [first, mate] = places;
+        let mut best: (EdgePlace, (Vec<Tab>, f64)) = (first, along(first, mate, true));
         if may_choose {
-            let on_mate = tabs(&side(mate), &side(first), &turned, kind);
+            let on_mate = along(mate, first, false);
             if on_mate.1 > best.1.1 {
                 best = (mate, on_mate);
             }

@@ -5,7 +5,7 @@ use crate::design::{
     Allowance, Corner, Fingers, Flange, Hem, Holes, NotchForm, Notches, Places, Puzzle, Slots,
     Tabs, Ticks, Trim, TrimKind, TrimOn,
 };
-use crate::edge::{Edge, EdgePlace, EdgeSource};
+use crate::edge::{Edge, EdgePlace, EdgeSource, shared};
 use crate::pattern::PathKind;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, cos, from_deg, sin};
 use sheetwright_geometry::predicate::{Box2, first_crossing, signed_area_doubled};
@@ -35,6 +35,11 @@ impl Flat {
             start += m;
         }
         Self { name: name.to_owned(), edges, space, flat }
+    }
+
+    /// Where the points of an edge lie in space.
+    fn points(&self, edge: usize) -> Vec<Point3> {
+        self.edges[edge].run.iter().map(|&v| self.space[v]).collect()
     }
 
     fn seen(&self) -> TrimPart<'_> {
@@ -279,6 +284,9 @@ fn joined(height: f64) -> [Flat; 2] {
     }
     left.edges[1].mates = vec![EdgePlace { part: 1, edge: 3 }];
     right.edges[3].mates = vec![EdgePlace { part: 0, edge: 1 }];
+    let (first, second) = (left.points(1), right.points(3));
+    left.edges[1].common = vec![shared((&first, false), (&second, false))];
+    right.edges[3].common = vec![shared((&second, false), (&first, false))];
     [left, right]
 }
 
