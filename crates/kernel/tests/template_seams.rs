@@ -7,6 +7,7 @@ use sheetwright::curve::Curve;
 use sheetwright::design::{Design, DesignPanel, PanelShape};
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point3, Vec3};
+use sheetwright::pattern::PathKind;
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
 
@@ -49,6 +50,21 @@ fn flat_length(panel: &Part, curve: &Curve) -> f64 {
     let off = |length: &f64| (length - curve.length()).abs();
     let ways = [walk(start, end), walk(end, start)];
     ways.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap()
+}
+
+#[test]
+fn boats_have_their_stations_on_every_plank() {
+    for name in ["dinghy", "pram", "kayak"] {
+        let values = template(name).unwrap().defaults();
+        let design = values.design().unwrap();
+        let made = make(&design, &mut Unwatched).unwrap();
+        for part in &made.parts {
+            let stations = part.piece.paths.iter().filter(|path| path.kind == PathKind::Station);
+            let has_length = part.piece.size.x.max(part.piece.size.y) > 2000.0;
+            // A transom leans across some station, or lies before all of them.
+            assert!(stations.count() >= if has_length { 8 } else { 0 }, "{name}: {}", part.name);
+        }
+    }
 }
 
 #[test]

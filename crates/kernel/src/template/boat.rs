@@ -251,8 +251,14 @@ fn transom(values: &Values, width: &str, rake: &str) -> End {
     }
 }
 
-/// The boat with the halves that are wanted.
+/// Into so many parts a plan divides the length of a boat by its stations.
+const DIVISIONS: usize = 10;
+
+/// The boat with the halves that are wanted, and with its stations, between its ends, marked.
 fn finished(mut sketch: Sketch, values: &Values, halves: &[&str]) -> Sketch {
+    let length = values.number("length");
+    let places: Vec<f64> = (1..DIVISIONS).map(|n| length * n as f64 / DIVISIONS as f64).collect();
+    sketch.stations(&places);
     if values.choice(HALVES.name) == BOTH.name {
         sketch.mirror(halves);
     }
