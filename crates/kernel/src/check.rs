@@ -22,7 +22,7 @@ pub use remedy::Remedy;
 pub use severity::Severity;
 pub use verdict::Verdict;
 
-pub(crate) use bending::{better_without_plane, no_other_surface, two_surfaces};
+pub(crate) use bending::{better_without_plane, no_other_surface, sheet_too_thick, two_surfaces};
 pub(crate) use brake::mitred_folds;
 pub(crate) use bulge::spline_bulge;
 pub(crate) use origin::{

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
 
 use sheetwright::bend::Mitred;
-use sheetwright::check::FindingKind;
+use sheetwright::check::{Finding, FindingKind, Place, Verdict};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     Design, DesignCurve, DesignPanel, Dimensions, PanelMesh, PanelMethod, PanelShape, Triangles,
@@ -184,7 +184,7 @@ fn folds_with_an_allowance_name_the_radius_of_their_tool() {
     assert_eq!(radii(&made(&design)), [None; 2]);
     // The flange at one end is narrower than its bend.
     let narrow = [[0.0, 3.0], [0.0, 0.0], [50.0, 0.0], [50.0, 30.0]];
-    let part = made(&profile(&narrow, Dimensions::Outside, sheet(0.44), 4));
+    let part = made(&profile(&narrow, Dimensions::Outside, sheet(0.44), 43));
     assert_eq!(mitred(&part), [(1, 2, Mitred::Narrow)]);
     let mut of_part = radii(&part);
     of_part.sort_by(|a, b| a.partial_cmp(b).unwrap());
@@ -328,5 +328,46 @@ fn lengths_do_not_hang_on_the_samples() {
             let part = made(&profile(&zed, dimensions, sheet(0.44), samples));
             assert_eq!(mitred(&part), [], "{samples} {dimensions:?}");
         }
+    }
+}
+
+/// A sheet of 2 mm that is bent by a right angle round a radius of the drawn face.
+fn rolled(radius: f64, dimensions: Dimensions, samples: usize) -> Part {
+    let arc = |n: usize| {
+        let turn = FRAC_PI_2 * n as f64 / 40.0;
+        [radius * sin(turn), radius * (1.0 - cos(turn))]
+    };
+    let points: Vec<[f64; 2]> = std::iter::once([-20.0, 0.0])
+        .chain((0..=40).map(arc))
+        .chain([[radius, radius + 20.0]])
+        .collect();
+    made(&profile(&points, dimensions, sheet(0.44), samples))
+}
+
+#[test]
+fn a_bend_that_leaves_the_inner_face_no_radius_is_an_error() {
+    let found = |part: &Part| {
+        let of = |finding: &Finding| match finding.kind {
+            FindingKind::SheetTooThick { drawn_mm, inside_mm, thickness_mm } => {
+                assert!(
+                    matches!(&finding.place, Place::Rungs { numbers, .. } if numbers.len() > 10)
+                );
+                Some((drawn_mm, inside_mm, thickness_mm))
+            }
+            _ => None,
+        };
+        part.checked.findings.iter().find_map(of)
+    };
+    let part = rolled(1.5, Dimensions::Outside, 201);
+    let (drawn_mm, inside_mm, thickness_mm) = found(&part).unwrap();
+    assert!((drawn_mm - 1.5).abs() < 0.1, "{drawn_mm}");
+    assert_eq!((inside_mm, thickness_mm), (2.0, 2.0));
+    assert_eq!(part.checked.verdict, Verdict::WillNotBend);
+    // The middle lies half as far from the inner face, which itself may have any radius.
+    assert!(found(&rolled(0.8, Dimensions::Mean, 201)).is_some());
+    for (radius, dimensions) in
+        [(1.2, Dimensions::Mean), (2.5, Dimensions::Outside), (0.5, Dimensions::Inside)]
+    {
+        assert_eq!(found(&rolled(radius, dimensions, 201)), None, "{radius} {dimensions:?}");
     }
 }

@@ -103,6 +103,10 @@ fn of_surfaces() -> Vec<Finding> {
             Kind::RadiusTooSmall { least_mm: 0.4, limit_mm: 1.0, sheet: "card".to_owned() },
             rungs(&[3, 5]),
         ),
+        Finding::new(
+            Kind::SheetTooThick { drawn_mm: 1.25, inside_mm: 2.0, thickness_mm: 2.0 },
+            rungs(&[3, 5]),
+        ),
         Finding::new(Kind::Points { count: 1, turn: sharpest, too_tight: None }, apexes(1)),
         Finding::new(
             Kind::Points { count: 3, turn: sharpest, too_tight: Some(too_tight) },

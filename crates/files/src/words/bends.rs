@@ -27,3 +27,14 @@ pub(super) fn folds_mitred(count: usize, of: usize, why: Mitred) -> String {
     };
     format!("{folds} no bend allowance: {why}. There the faces meet as mitred boards do.")
 }
+
+/// A smooth bend of the drawn face with this radius, in a sheet whose inner face lies so far inside
+/// of it.
+pub(super) fn sheet_too_thick(drawn_mm: f64, inside_mm: f64, thickness_mm: f64) -> String {
+    format!(
+        "The sheet is too thick for its tightest smooth bend: the face that was drawn has a radius \
+         of {drawn_mm:.2} mm there, and the inner face of a sheet of {thickness_mm} mm lies \
+         {inside_mm:.2} mm inside of that, where no radius is left. Draw the bend rounder or as a \
+         sharp fold, take a thinner sheet, or say that another face was drawn."
+    )
+}

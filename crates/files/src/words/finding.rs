@@ -1,6 +1,6 @@
 //! Findings in sentences, with advice.
 
-use super::bends::folds_mitred;
+use super::bends::{folds_mitred, sheet_too_thick};
 use super::divided::{by, not_divided, piece_of};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
@@ -66,6 +66,9 @@ pub fn finding_text(finding: &Finding) -> String {
             "The smallest bend radius of the panel is {least_mm:.1} mm; the limit for {sheet} is \
              {limit_mm:.1} mm. Choose a thinner sheet, or draw the boundary rounder."
         ),
+        Kind::SheetTooThick { drawn_mm, inside_mm, thickness_mm } => {
+            sheet_too_thick(*drawn_mm, *inside_mm, *thickness_mm)
+        }
         Kind::RadiusUnsure { least_mm, limit_mm, sheet } => format!(
             "The samples are too coarse to tell how tightly the sheet is bent: by them to \
              {least_mm:.1} mm, where the limit for {sheet} is {limit_mm:.1} mm. Use more samples."

@@ -46,11 +46,7 @@ pub(crate) fn neutral_surface(
 ) -> Surface {
     // Mountains have their inner face on the back.
     let outwards = if bends_up(drawn) { -1.0 } else { 1.0 };
-    let share = match dimensions {
-        Dimensions::Inside => k,
-        Dimensions::Mean => k - MIDDLE,
-        Dimensions::Outside => k - 1.0,
-    };
+    let share = k - dimensions.share();
     moved(drawn, rungs, outwards * share * thickness_mm)
 }
 

@@ -4,7 +4,7 @@
 //! would meet, and between these lines the flat sheet has the bend allowance: θ·(R + K·T) by a
 //! K-factor, or what a table of deductions that was measured at the brake says.
 
-use crate::design::{Dimensions, Thick};
+use crate::design::Thick;
 use crate::material::{Material, bend_allowance_mm, setback_mm};
 
 use super::neutral::k_factor;
@@ -39,12 +39,7 @@ impl<'a> FoldTool<'a> {
         material: Option<&'a Material>,
         bends_up: bool,
     ) -> Option<Self> {
-        let share = match thick.dimensions {
-            Dimensions::Inside => 0.0,
-            Dimensions::Mean => 0.5,
-            Dimensions::Outside => 1.0,
-        };
-        Self::at(thick, material, (share, bends_up))
+        Self::at(thick, material, (thick.dimensions.share(), bends_up))
     }
 
     /// The tool for a surface that lies a share of the thickness, as K, from the inner face of most

@@ -2,6 +2,7 @@
 
 use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight, Verdict};
 use super::{overlap, seams, strain};
+use crate::design::Thick;
 use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
 use crate::sheet::Seam;
 use sheetwright_geometry::boundary::Boundary;
@@ -58,6 +59,32 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
     let numbers = apexes.iter().map(|apex| apex.sample).collect();
     let kind = FindingKind::Points { count: apexes.len(), turn: sharpest.turn, too_tight };
     Some(Finding::new(kind, Place::Samples { numbers }))
+}
+
+/// The finding on smooth bends so tight that the inner face of the sheet has no radius left, where
+/// its thickness counts. `rungs` are those of the drawn face; `bends_up` says whether most of it
+/// bends towards the side that it faces, so that its inner face is there.
+pub(crate) fn sheet_too_thick(
+    rungs: &[RungMeasures],
+    thick: Thick,
+    bends_up: bool,
+) -> Option<Finding> {
+    let Thick { dimensions, thickness_mm, .. } = thick;
+    // How far inside of the drawn face the inner face of a bend lies.
+    let inside_mm = |rung: &RungMeasures| {
+        let share = dimensions.share();
+        let is_most = (rung.crease < 0.0) == bends_up;
+        thickness_mm * if is_most { share } else { 1.0 - share }
+    };
+    let is_tight = |rung: &RungMeasures| {
+        rung.bends() && !rung.is_fold && rung.bend_radius_mm <= inside_mm(rung)
+    };
+    let left_mm = |rung: &RungMeasures| rung.bend_radius_mm - inside_mm(rung);
+    let tight = rungs.iter().filter(|rung| is_tight(rung));
+    let worst = tight.min_by(|a, b| left_mm(a).total_cmp(&left_mm(b)))?;
+    let (drawn_mm, inside_mm) = (worst.bend_radius_mm, inside_mm(worst));
+    let kind = FindingKind::SheetTooThick { drawn_mm, inside_mm, thickness_mm };
+    Some(Finding::new(kind, Place::rungs(rungs, is_tight)))
 }
 
 fn crossing(panel: &Panel<'_>) -> Option<Finding> {

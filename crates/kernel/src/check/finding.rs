@@ -95,6 +95,13 @@ impl Checked {
         checked
     }
 
+    /// Adds a finding on how the sheet bends, which the verdict follows from, too.
+    pub(crate) fn add_of_bending(&mut self, finding: Finding) {
+        let mut findings = std::mem::take(&mut self.findings);
+        findings.push(finding);
+        *self = Self::of(findings);
+    }
+
     /// Adds a finding in its place: the worst first. The verdict stays.
     pub fn add(&mut self, finding: Finding) {
         let severity = finding.severity();

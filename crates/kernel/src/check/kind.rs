@@ -86,6 +86,15 @@ pub enum FindingKind {
         /// The sheet.
         sheet: String,
     },
+    /// A smooth bend is so tight that the inner face of the sheet has no radius left.
+    SheetTooThick {
+        /// The smallest radius of the drawn face at such a bend, mm.
+        drawn_mm: f64,
+        /// How far inside of that face the inner one lies there, mm.
+        inside_mm: f64,
+        /// How thick the sheet is, mm.
+        thickness_mm: f64,
+    },
     /// The samples are too coarse to measure how tightly the sheet is bent.
     RadiusUnsure {
         /// The smallest bend radius that was measured, mm.
@@ -577,6 +586,7 @@ impl FindingKind {
         match self {
             Self::StrainTooLarge { .. }
             | Self::RadiusTooSmall { .. }
+            | Self::SheetTooThick { .. }
             | Self::SelfCrossing
             | Self::Overlap
             | Self::Flipped { .. }
@@ -668,6 +678,7 @@ impl FindingKind {
             Self::CantTell { .. } | Self::RadiusUnsure { .. } => "cant-tell",
             Self::FoldsNotNeeded { .. } => "fold-not-needed",
             Self::RadiusTooSmall { .. } => "radius-too-small",
+            Self::SheetTooThick { .. } => "sheet-too-thick",
             Self::Points { .. } => "point",
             Self::SelfCrossing => "self-crossing",
             Self::Overlap => "overlap",
@@ -760,6 +771,7 @@ impl FindingKind {
             self,
             Self::StrainTooLarge { .. }
                 | Self::RadiusTooSmall { .. }
+                | Self::SheetTooThick { .. }
                 | Self::SelfCrossing
                 | Self::Folds { .. }
                 | Self::Creases { .. }

@@ -15,6 +15,15 @@ impl Dimensions {
     /// Every face.
     pub const ALL: [Self; 3] = [Self::Inside, Self::Mean, Self::Outside];
 
+    /// How deep it lies in the sheet from the inner face of a bend, as a share of the thickness.
+    pub(crate) fn share(self) -> f64 {
+        match self {
+            Self::Inside => 0.0,
+            Self::Mean => 0.5,
+            Self::Outside => 1.0,
+        }
+    }
+
     /// How designs and reports name it.
     pub fn name(self) -> &'static str {
         match self {

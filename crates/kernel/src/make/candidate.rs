@@ -3,7 +3,7 @@
 
 use super::MakeCause;
 use crate::bend::{FoldTool, Rounded, bends_up, folded_edges, k_factor, neutral_surface, rounded};
-use crate::check::{Checked, CheckedFrom, Subject, check, mitred_folds};
+use crate::check::{Checked, CheckedFrom, Subject, check, mitred_folds, sheet_too_thick};
 use crate::design::Thick;
 use crate::elastic::{Predicted, screen};
 use crate::flatten::{Flattened, lay_flat};
@@ -80,6 +80,9 @@ impl Setting<'_> {
             from: CheckedFrom::Boundary(boundary, triangulation),
         });
         mitred_folds(folds, &mitred).for_each(|finding| checked.add(finding));
+        let too_thick =
+            thick.and_then(|thick| sheet_too_thick(&measures.rungs, thick, bends_up(&surface)));
+        too_thick.into_iter().for_each(|finding| checked.add_of_bending(finding));
         Ok(Candidate { surface, sheet, flat, measures, predicted, checked })
     }
 }

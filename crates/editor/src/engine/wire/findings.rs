@@ -22,6 +22,7 @@ variants!(FindingKind {
     RadiusUnsure { least_mm, limit_mm, sheet },
     FoldsNotNeeded { count, sharpest },
     RadiusTooSmall { least_mm, limit_mm, sheet },
+    SheetTooThick { drawn_mm, inside_mm, thickness_mm },
     Points { count, turn, too_tight },
     SelfCrossing {},
     Overlap {},
