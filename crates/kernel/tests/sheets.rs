@@ -6,9 +6,9 @@ use sheetwright::design::{
     Design, DesignCurve, Mark, MarkKind, MarkOn, MarkWay, SheetForm, Stock, StockSheet, Turn,
 };
 use sheetwright::make::{Made, beside_each_other, make};
-use sheetwright::math::{Vec2, from_deg, unit2};
+use sheetwright::math::{Vec2, cos, from_deg, unit2};
 use sheetwright::pattern::{LabelKind, PathKind, Piece, Role};
-use sheetwright::predicate::signed_area_doubled;
+use sheetwright::predicate::{inside, signed_area_doubled};
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
 
@@ -86,6 +86,25 @@ fn grain_runs_along_the_sheet() {
         for cos in arrows {
             let is_along = if turn == Turn::OneWay { cos } else { cos.abs() };
             assert!(is_along > 1.0 - 1e-9, "{cos}");
+        }
+    }
+}
+
+#[test]
+fn texts_on_sheets_are_read_from_below_or_from_the_right() {
+    let (made, sheets) = laid_out("hemisphere", |_| {});
+    let turns = made.nested.as_ref().unwrap().nest.placements.iter().map(|it| cos(it.turn));
+    assert!(turns.filter(|cosine| *cosine < 0.0).count() > 3, "parts lie upside down");
+    for label in sheets.iter().flat_map(|sheet| &sheet.labels) {
+        let Vec2 { x, y } = label.along;
+        assert!(x > 0.0 || (x > -1e-6 && y > 0.0), "{}: {:?}", label.text, label.along);
+    }
+    // Their boxes stay where they are: each name lies in its part as it did before.
+    for sheet in &sheets {
+        let names = sheet.labels.iter().filter(|label| label.kind == LabelKind::Name);
+        for name in names.filter(|label| label.role != Role::Note) {
+            let up = name.along.perp() * (0.5 * name.height_mm);
+            assert!(outlines(sheet).any(|line| inside(line, name.at + up)), "{}", name.text);
         }
     }
 }

@@ -3,7 +3,8 @@
 //! Lines keep their roles, so that a part on a sheet is cut, scored and engraved as by itself. A
 //! part that lies in a hole of another is cut before that hole, or it would fall out with it: all
 //! of its cuts count as inner ones. What a pattern has beside the part, its dimensions and texts
-//! with leaders, would lie on its neighbours and stays away.
+//! with leaders, would lie on its neighbours and stays away. Texts are read from below or from the
+//! right, however their part lies.
 
 use super::cut_once::cut_once;
 use super::{CutItem, Made};
@@ -148,11 +149,12 @@ fn lay(sheet: &mut Piece, laid: &Laid<'_>, is_in_a_hole: bool) {
     sheet.labels.extend(part.labels.iter().filter(stays).map(|label| {
         // Letters are not mirrored: what was their top becomes their base line.
         let lift = if it.is_over { label.height_mm } else { 0.0 };
-        PatternLabel {
+        let laid = PatternLabel {
             at: it.lay(label.at + label.along.perp() * lift),
             along: it.turned(label.along),
             ..named(label, name)
-        }
+        };
+        laid.upright()
     }));
 }
 

@@ -15,6 +15,23 @@ const GAP: f64 = 2.0 / 6.0;
 const TAIL: f64 = 2.0 / 6.0;
 /// How far dots reach above it.
 const TOP: f64 = 7.0 / 6.0;
+/// A text that leaves a plumb line by less than this, as the sine, is read from the right.
+const LEVEL: f64 = 1e-6;
+
+impl PatternLabel {
+    /// The text in the same place, turned by half a turn about its own middle where it would be
+    /// read from above or from the left.
+    pub(crate) fn upright(self) -> Self {
+        let Vec2 { x, y } = self.along;
+        let is_upright = x > LEVEL || (x.abs() <= LEVEL && y > 0.0);
+        if is_upright {
+            return self;
+        }
+        let middle = TextBox::of(&self).middle;
+        let along = -self.along;
+        Self { at: TextBox::base(middle, along, self.height_mm), along, ..self }
+    }
+}
 
 /// A rectangle in any direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
