@@ -4,8 +4,8 @@ use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles}
 use sheetwright::make::{Made, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture, moved_picture,
-    read_input, side_by_side, space_picture, stacked, warp_chart,
+    InputFormat, Picture, ReadOptions, VarySettings, design_picture, flat_picture, gauss_picture,
+    moved_picture, read_bytes, read_input, side_by_side, space_picture, stacked, warp_chart,
 };
 use sheetwright_shapes::low_poly;
 use std::error::Error;
@@ -21,13 +21,14 @@ type Draw = fn() -> Result<Picture, Box<dyn Error>>;
 /// Writes every picture, or those with a word in their names that is given.
 pub(crate) fn write() -> Result<(), Box<dyn Error>> {
     let word = std::env::args().nth(2).unwrap_or_default();
-    let pictures: [(&str, Draw); 6] = [
+    let pictures: [(&str, Draw); 7] = [
         ("hull.svg", hull),
         ("hull-moved.svg", hull_moved),
         ("three-cones.svg", three_cones),
         ("vary.svg", vary),
         ("meshes.svg", meshes),
         ("nets.svg", nets),
+        ("slots.svg", slots),
     ];
     for (name, draw) in pictures.into_iter().filter(|(name, _)| name.contains(&word)) {
         let path = crate::root().join("docs/pictures").join(name);
@@ -125,4 +126,36 @@ fn nets() -> Result<Picture, Box<dyn Error>> {
         rows.push(side_by_side(title, &pictures));
     }
     Ok(stacked("Models of facets in space, and their nets", &rows))
+}
+
+/// A shelf with tabs, and the side that it stands in, with slots for a laser and for a router.
+fn slots() -> Result<Picture, Box<dyn Error>> {
+    const LASER: &str = r#""kind": "slots""#;
+    const ROUTER: &str = r#""kind": "slots", "clearance": 0.4, "dogbone": 3.2"#;
+    let made = |slots: &str| -> Result<Made, Box<dyn Error>> {
+        let design = format!(
+            r#"{{
+            "sheetwright": 1, "name": "shelf", "thickness": 6,
+            "curves": {{
+                "joint": {{ "kind": "polyline", "points": [[0, 0, 0], [160, 0, 0]] }},
+                "front": {{ "kind": "polyline", "points": [[160, 0, 0], [160, 60, 0], [0, 60, 0], [0, 0, 0]] }},
+                "top": {{ "kind": "polyline", "points": [[160, 0, 0], [160, 0, 60], [0, 0, 60], [0, 0, 0]] }}
+            }},
+            "panels": [
+                {{ "name": "shelf", "boundary": ["joint", "front"], "samples": 40 }},
+                {{ "name": "side", "boundary": ["joint", "top"], "samples": 40 }}
+            ],
+            "trims": [{{ "on": "shelf/joint", {slots} }}]
+        }}"#
+        );
+        let (format, options) = (InputFormat::Design, ReadOptions::default());
+        let design = read_bytes(format, design.as_bytes(), "shelf.sheet.json", None, &options)?;
+        Ok(make(&design, &mut Unwatched)?)
+    };
+    let (laser, router) = (made(LASER)?, made(ROUTER)?);
+    let parts = [&laser.parts[0], &laser.parts[1], &router.parts[1]];
+    let pictures = parts.map(|part| flat_picture(part, None));
+    let title =
+        "Tabs of a shelf, slots for them, and slots with holes in their corners for a router";
+    Ok(side_by_side(title, &pictures))
 }
