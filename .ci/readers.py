@@ -78,6 +78,8 @@ def check_dxf(checks, path, panel):
         return np.array([tuple(vertex.dxf.location)[:2] for vertex in entity.vertices])
 
     cut = [entity for entity in entities if entity.dxf.layer == "cut"]
+    # Holes come first.
+    cut = cut[-1:] + cut[:-1]
     lines = 1 + panel["holes_flat"]
     closed = len(cut) == lines and all(entity.is_closed for entity in cut)
     checks.that(f"{name}: closed outline and holes", closed, len(cut))
@@ -113,7 +115,9 @@ def check_svg(checks, path, panel):
     cut = [p for p in document.paths() if p.element.get("class") in ("outline", "hole")]
     closed = all(path.isclosed() for path in cut)
     checks.that(f"{name}: closed outline and holes", closed and len(cut) == 1 + panel["holes_flat"], len(cut))
-    checks.that(f"{name}: outline first", cut[0].element.get("id") == "outline")
+    # A machine cuts what lies inside first.
+    checks.that(f"{name}: holes first", cut[-1].element.get("id") == "outline")
+    cut = cut[-1:] + cut[:-1]
     report = panel["area_flat_mm2"]
     # Holes run the other way round.
     found = abs(sum(path.area() for path in cut))

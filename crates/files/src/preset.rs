@@ -96,7 +96,7 @@ static PRESETS: [Preset; 7] = [
         about: "any program: a layer for each kind of work",
         // By the widest custom red is cut, blue scored and black engraved; grey has no operation.
         layers: &[
-            lines("cut", &[Cut, Inner, Drill], "#ff0000", 1, "red"),
+            lines("cut", &[Drill, Inner, Cut], "#ff0000", 1, "red"),
             lines("score", &[Score], "#0000ff", 5, "blue"),
             lines("net", &[Net], "#ff00ff", 6, "magenta, the edge of the finished piece"),
             lines("engrave", &[Engrave], "#000000", 7, "black"),
@@ -138,7 +138,7 @@ static PRESETS: [Preset; 7] = [
         name: "cricut",
         about: "Cricut Design Space, which cuts closed paths; set scores and pens there by colour",
         layers: &[
-            lines("cut", &[Cut, Inner, Drill], "#ff0000", 1, "red: basic cut"),
+            lines("cut", &[Drill, Inner, Cut], "#ff0000", 1, "red: basic cut"),
             lines("score", &[Score], "#0000ff", 5, "blue: set it to score"),
             lines("net", &[Net], "#ff8000", 30, "orange: set it to pen, or hide it"),
             lines("draw", &[Engrave], "#000000", 7, "black: set it to pen"),
