@@ -222,3 +222,54 @@ fn letters_have_standard_heights() {
         }
     }
 }
+
+#[test]
+fn numbers_of_ticks_move_along_their_edge_where_something_is_in_their_way() {
+    let rail = |name: &str, y: f64| DesignCurve {
+        name: name.to_owned(),
+        kind: Some(CurveKind::Polyline),
+        closed: false,
+        points: [0.0, 100.0].map(|x| CurvePoint::corner(Point3::new(x, y, 0.0))).to_vec(),
+    };
+    let mut design = Design::between("strap", [rail("front", 0.0), rail("back", 40.0)]);
+    let ticks = sheetwright::design::Ticks {
+        at: sheetwright::design::Places::Every(12.0),
+        length: 4.0,
+        numbered: true,
+    };
+    design.trims = vec![Trim::new([TrimOn::All], TrimKind::Ticks(ticks))];
+    let part = parts(&design).remove(0);
+    check(&part);
+    let piece = &part.piece;
+    let ticks = piece.paths.iter().filter(|path| path.kind == PathKind::TrimTick);
+    let ticks: Vec<[Point2; 2]> = ticks.map(|tick| [tick.points[0], tick.points[1]]).collect();
+    let numbers = piece.labels.iter().filter(|label| label.kind == LabelKind::Trim);
+    // Numbers have no tails.
+    let boxes: Vec<(&PatternLabel, [Point2; 4])> = numbers
+        .map(|label| {
+            let [_, _, high, top] = corners(label);
+            let down = label.along.perp() * (-7.0 / 6.0 * label.height_mm);
+            (label, [top + down, high + down, high, top])
+        })
+        .collect();
+    // 9 on each long side and 3 on each short one.
+    assert_eq!((ticks.len(), boxes.len()), (24, 24));
+    let mut moved = 0;
+    for (n, (label, around)) in boxes.iter().enumerate() {
+        let text = &label.text;
+        let outline = piece.outline();
+        let sides = outline.iter().zip(outline.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]);
+        assert!(sides.into_iter().all(|side| !overlap(around, &side)), "{text} is cut");
+        assert!(ticks.iter().all(|tick| !overlap(around, tick)), "{text} is crossed");
+        let others = boxes.iter().enumerate().filter(|(m, _)| *m != n);
+        assert!(others.into_iter().all(|(_, (_, other))| !overlap(around, other)), "{text}");
+        // The nearest tick is its own: numbers follow one another in their order.
+        let middle = around[0].lerp(around[2], 0.5);
+        let off = |tick: &[Point2; 2]| tick[0].distance(middle);
+        let nearest = (0..ticks.len()).min_by(|&a, &b| off(&ticks[a]).total_cmp(&off(&ticks[b])));
+        assert_eq!(nearest.map(|n| (n + 1).to_string()).as_ref(), Some(text));
+        let ahead = (label.at - ticks[n][0]).dot(label.along);
+        moved += usize::from(ahead < 0.0);
+    }
+    assert!(moved > 0, "near a corner, some stand before their ticks");
+}

@@ -11,7 +11,8 @@
 //! too, corner by corner. Bend lines are not: where one border has two equally good surfaces, such
 //! as one and its mirror image, either serves.
 
-use super::{LabelKind, PathKind, PatternPath, Piece, Role};
+use super::settle::tick_of;
+use super::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3, unit};
 
 /// Pieces this near to one another in every corner are equal, mm; less for small ones, as a share
@@ -191,7 +192,9 @@ fn spots(piece: &Piece) -> Vec<(Spot<'_>, Point2)> {
         _ => None,
     });
     let texts = piece.labels.iter().filter(|label| label.kind == LabelKind::Trim);
-    let texts = texts.map(|label| (Spot::Text(&label.text), label.at));
+    // A number stands beside its tick where there is room.
+    let at = |label: &PatternLabel| tick_of(label, &piece.paths).unwrap_or(label.at);
+    let texts = texts.map(|label| (Spot::Text(&label.text), at(label)));
     holes.chain(texts).collect()
 }
 

@@ -2,8 +2,9 @@
 //! the texts of marks.
 
 use super::placer::Placer;
+use super::settle::{is_settled, settle};
 use super::wish::{Instead, Wish, WishAt};
-use super::{LabelKind, PathKind, Piece, Role, Room, bend, edge_names, fold};
+use super::{LabelKind, PathKind, PatternLabel, Piece, Role, Room, bend, edge_names, fold};
 use crate::design::BendMarks;
 use crate::edge::Edge;
 use crate::mesh::{Mesh, MeshEdge};
@@ -58,13 +59,18 @@ impl Piece {
         let name = own.map_or(&self.name, |label| &label.text).clone();
         self.labels.retain(|label| !is_placed(label.kind));
         self.paths.retain(|path| path.kind != PathKind::Leader);
-        let net: Vec<&[Point2]> = self.net_loops().collect();
+        let net: Vec<Vec<Point2>> = self.net_loops().map(<[Point2]>::to_vec).collect();
+        let net: Vec<&[Point2]> = net.iter().map(|line| &line[..]).collect();
         let around = Box2::of_points(net.iter().copied().flatten().copied());
         let size = around.map_or(Vec2::ZERO, |around| around.max - around.min);
         let [tick_mm, height_mm] = sizes(size);
         let beside_mm = (BESIDE_NAME * height_mm).max(READABLE_MM);
         let places = places(part.sheet.mesh(), part.flat);
-        let mut placer = Placer::new(Room::new(net), &self.paths, &self.labels, places);
+        let is_fixed = |label: &&PatternLabel| !is_settled(label.kind);
+        let fixed: Vec<PatternLabel> = self.labels.iter().filter(is_fixed).cloned().collect();
+        let room = Room::new(net.iter().copied());
+        let mut placer = Placer::new(room, &self.paths, &fixed, places);
+        settle(&mut self.labels, &self.paths, &net, &mut placer);
         placer.place(&named(name), height_mm);
         for wish in of_marks {
             placer.place(wish, beside_mm);

@@ -12,6 +12,7 @@ mod placer;
 mod quantity;
 mod room;
 mod seam;
+mod settle;
 mod text_box;
 mod trims;
 mod wish;
@@ -26,6 +27,7 @@ pub(crate) use text_box::is_text_inside;
 pub(crate) use labels::Labelled;
 pub(crate) use room::{Room, Spot};
 pub(crate) use seam::joint_mark;
+pub(crate) use settle::ahead_of_tick_mm;
 pub(crate) use wish::Wish;
 
 use crate::bend::{BendLine, bend_lines};

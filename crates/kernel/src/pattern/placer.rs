@@ -95,6 +95,21 @@ impl Placer {
         Self { room, places, lines, boxes, labels: Vec::new(), leaders: Vec::new() }
     }
 
+    /// Whether a text that has its place inside the piece crosses no line that is cut or drawn, and
+    /// no other text. Its tails may, since marks have none.
+    pub(super) fn is_free(&self, label: &PatternLabel) -> bool {
+        let text = TextBox::of(label);
+        let letters = text.without_tails(label.height_mm);
+        self.room.holds(text.middle)
+            && !self.boxes.iter().any(|other| other.overlaps(&letters))
+            && self.lines.crossed(&letters) <= Crossed::Notes
+    }
+
+    /// Keeps other texts clear of one that has its place.
+    pub(super) fn keep(&mut self, label: &PatternLabel) {
+        self.boxes.push(TextBox::of(label));
+    }
+
     /// Places a text whose letters should be so high, mm.
     pub(super) fn place(&mut self, wish: &Wish, height_mm: f64) {
         let most_mm = standard_mm(wish.height_mm.unwrap_or(height_mm));

@@ -82,6 +82,16 @@ pub(super) fn drawn(
     (paths, labels)
 }
 
+/// The middle of the base line of a mark beside its tick, which goes inwards from its foot on the
+/// seam, and its direction. It stands with its feet on the seam, so that the marks of both sides
+/// stand foot to foot when it is joined.
+pub(super) fn beside(mark: &str, height_mm: f64, foot: Point2, inside: Point2) -> (Point2, Vec2) {
+    let inside = unit2(inside - foot).unwrap_or(Vec2::Y);
+    let along = -inside.perp();
+    let half_mm = HALF_LETTER * mark.chars().count() as f64 * height_mm;
+    (foot + along * half_mm + inside * (0.4 * height_mm), along)
+}
+
 /// The middle of a way along sides in space: the step on which it lies, how much of the step comes
 /// before it, and the length of the whole, mm. `None` for no way.
 fn middle(sheet: &Mesh, steps: &[[VertexIndex; 2]]) -> Option<(usize, f64, f64)> {
@@ -133,10 +143,7 @@ impl SeamSide {
             points: vec![middle, middle + inside * tick_mm.min(0.2 * length)],
             closed: false,
         };
-        // Beside the tick, with its feet on the seam, so that the marks of both sides stand
-        // foot to foot when it is joined.
-        let half_mm = HALF_LETTER * mark.chars().count() as f64 * height_mm;
-        let beside = middle + along * half_mm + inside * (0.4 * height_mm);
+        let (beside, _) = beside(mark, height_mm, tick.points[0], tick.points[1]);
         let label = |kind: LabelKind, role: Role, at: Point2, text: String| PatternLabel {
             kind,
             role,

@@ -63,6 +63,13 @@ impl TextBox {
         middle + along.perp() * (-0.5 * (TOP - TAIL) * height_mm)
     }
 
+    /// The box down to the base line of letters of this height, mm.
+    pub(super) fn without_tails(self, height_mm: f64) -> Self {
+        let tails_mm = 0.5 * TAIL * height_mm;
+        let half = Vec2::new(self.half.x, self.half.y - tails_mm);
+        Self { middle: self.middle + self.along.perp() * tails_mm, half, ..self }
+    }
+
     /// The box with so much room around it, mm.
     pub(super) fn grown(self, by_mm: f64) -> Self {
         Self { half: self.half + Vec2::splat(by_mm), ..self }

@@ -3,7 +3,7 @@
 use super::holes::circle;
 use super::stretch::Spot;
 use crate::design::{NotchForm, Notches};
-use crate::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
+use crate::pattern::{LabelKind, PathKind, PatternLabel, PatternPath, Role, ahead_of_tick_mm};
 use sheetwright_geometry::math::Point2;
 
 /// A notch that is cut out begins this share of its depth beyond the cut line, which may curve.
@@ -89,14 +89,14 @@ pub(super) fn ticked(
         closed: false,
     };
     let height_mm = (0.6 * length).max(1.5);
-    let label = number.map(|number| PatternLabel {
+    let label = number.map(|number| number.to_string()).map(|text| PatternLabel {
         kind: LabelKind::Trim,
         role: Role::Engrave,
         // Beside the tick, with its feet towards the edge.
-        at: spot.beside(height_mm * (0.5 + 0.4 * number.to_string().len() as f64), -0.4 * length),
+        at: spot.beside(ahead_of_tick_mm(&text, height_mm), -0.4 * length),
         along: spot.along,
         height_mm,
-        text: number.to_string(),
+        text,
     });
     (path, label)
 }

@@ -1,0 +1,154 @@
+//! Texts that belong to a place on an edge, the marks of seams and the numbers of ticks: each stands
+//! beside its tick or, where something is in its way, at the nearest free place along the edge.
+//!
+//! They have their places before all other texts, which keep clear of them. A text goes by steps of
+//! half its height, ahead and back by turns, along the line that its tick stands on, and no farther
+//! than where its own tick is the nearest. Where no such place is free, it stays beside its tick.
+
+use super::placer::Placer;
+use super::seam::beside;
+use super::text_box::TextBox;
+use super::{LabelKind, PathKind, PatternLabel, PatternPath};
+use sheetwright_geometry::math::{Point2, Vec2, unit2};
+
+/// A step along the edge, as a share of the height of the text.
+const STEP: f64 = 0.5;
+/// So many steps are tried ahead, and as many back.
+const STEPS: u16 = 24;
+
+/// Whether a text has its place here.
+pub(super) fn is_settled(kind: LabelKind) -> bool {
+    matches!(kind, LabelKind::Mark | LabelKind::Trim)
+}
+
+/// Gives the texts of edges their places, among those that have one. `net` are the loops of the
+/// finished piece, whose `paths` have the ticks.
+pub(super) fn settle(
+    labels: &mut [PatternLabel],
+    paths: &[PatternPath],
+    net: &[&[Point2]],
+    placer: &mut Placer,
+) {
+    let mut seams = ticks(paths, PathKind::SeamTick);
+    let feet: Vec<Point2> = [PathKind::SeamTick, PathKind::TrimTick]
+        .into_iter()
+        .flat_map(|kind| ticks(paths, kind))
+        .map(|[foot, _]| foot)
+        .collect();
+    for label in labels.iter_mut().filter(|label| is_settled(label.kind)) {
+        let foot = match label.kind {
+            LabelKind::Mark => seams.next().map(|[foot, inside]| {
+                // It may have moved when the piece had other lines.
+                (label.at, label.along) = beside(&label.text, label.height_mm, foot, inside);
+                foot
+            }),
+            _ => {
+                let ahead_mm = ahead_of_tick_mm(&label.text, label.height_mm);
+                numbered_tick(label, label.at + label.along * -ahead_mm, paths)
+            }
+        };
+        // A text without a tick, such as the angle of a flange, is that of a whole line.
+        if let Some(foot) = foot {
+            *label = free(label, foot, net, &feet, placer);
+        }
+        placer.keep(label);
+    }
+}
+
+/// The ticks of a kind, in order, each from the edge inwards.
+fn ticks(paths: &[PatternPath], kind: PathKind) -> impl Iterator<Item = [Point2; 2]> + '_ {
+    let ticks = paths.iter().filter(move |path| path.kind == kind);
+    ticks.filter_map(|tick| tick.points.first_chunk().copied())
+}
+
+/// How far ahead of its tick the middle of a number stands, mm, where there is room.
+pub(crate) fn ahead_of_tick_mm(number: &str, height_mm: f64) -> f64 {
+    height_mm * (0.5 + 0.4 * number.chars().count() as f64)
+}
+
+/// Where the tick stands on the edge whose number a text of a trim is; `None` of another text.
+pub(super) fn tick_of(label: &PatternLabel, paths: &[PatternPath]) -> Option<Point2> {
+    numbered_tick(label, TextBox::of(label).middle, paths)
+}
+
+/// The foot of the tick of a trim that stands nearest to a place, if a text is a number.
+fn numbered_tick(label: &PatternLabel, at: Point2, paths: &[PatternPath]) -> Option<Point2> {
+    let is_number = label.kind == LabelKind::Trim && label.text.parse::<usize>().is_ok();
+    let feet = ticks(paths, PathKind::TrimTick).map(|[foot, _]| foot).filter(|_| is_number);
+    feet.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)))
+}
+
+/// The text at the first free place, or as it is.
+fn free(
+    label: &PatternLabel,
+    foot: Point2,
+    net: &[&[Point2]],
+    feet: &[Point2],
+    placer: &Placer,
+) -> PatternLabel {
+    let off = label.at - foot;
+    let [ahead_mm, up_mm] = [off.dot(label.along), off.dot(label.along.perp())];
+    let is_free = |label: &PatternLabel| {
+        let middle = TextBox::of(label).middle;
+        let off_mm = foot.distance(middle);
+        placer.is_free(label) && feet.iter().all(|other| other.distance(middle) >= off_mm)
+    };
+    if is_free(label) {
+        return label.clone();
+    }
+    let Some(edge) = Loop::nearest(net, foot) else { return label.clone() };
+    let steps = (1..=STEPS).flat_map(|n| [f64::from(n), -f64::from(n)]);
+    let mut moved = steps.filter_map(|n| {
+        let (at, along) = edge.at(ahead_mm + n * STEP * label.height_mm)?;
+        Some(PatternLabel { at: at + along.perp() * up_mm, along, ..label.clone() })
+    });
+    moved.find(|label| is_free(label)).unwrap_or_else(|| label.clone())
+}
+
+/// A loop of the net, and a place on it.
+struct Loop<'a> {
+    points: &'a [Point2],
+    /// How far along it the place lies, mm.
+    along_mm: f64,
+}
+
+impl<'a> Loop<'a> {
+    /// The loop that passes nearest to a point, and where it does.
+    fn nearest(net: &[&'a [Point2]], point: Point2) -> Option<Self> {
+        let mut best: Option<(f64, Self)> = None;
+        for &points in net {
+            let mut before_mm = 0.0;
+            for [a, b] in sides(points) {
+                let off_mm = point.distance_to_segment([a, b]);
+                if best.as_ref().is_none_or(|(least_mm, _)| off_mm < *least_mm) {
+                    let on_mm = unit2(b - a).map_or(0.0, |way| way.dot(point - a));
+                    let along_mm = before_mm + on_mm.clamp(0.0, a.distance(b));
+                    best = Some((off_mm, Self { points, along_mm }));
+                }
+                before_mm += a.distance(b);
+            }
+        }
+        best.map(|(_, found)| found)
+    }
+
+    /// The point so far ahead of the place, mm, and the direction of the loop there.
+    fn at(&self, ahead_mm: f64) -> Option<(Point2, Vec2)> {
+        let whole_mm: f64 = sides(self.points).map(|[a, b]| a.distance(b)).sum();
+        let mut left_mm = (self.along_mm + ahead_mm).rem_euclid(whole_mm);
+        for [a, b] in sides(self.points) {
+            let side_mm = a.distance(b);
+            if left_mm <= side_mm
+                && let Some(way) = unit2(b - a)
+            {
+                return Some((a + way * left_mm, way));
+            }
+            left_mm -= side_mm;
+        }
+        None
+    }
+}
+
+/// The sides of a closed line, each from a point to the next.
+fn sides(line: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
+    line.iter().zip(line.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
