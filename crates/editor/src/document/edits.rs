@@ -84,7 +84,8 @@ pub enum Edit {
         thickness_mm: Option<f64>,
         /// The face; `None` where the pattern is that of what is drawn.
         dimensions: Option<Dimensions>,
-        /// The inner radius of the tool that makes sharp folds, mm; `None` for that of its material.
+        /// The inner radius of the tool that makes sharp folds, mm; `None` for that of its
+        /// material.
         bend_radius_mm: Option<f64>,
     },
     /// How the design is drawn.

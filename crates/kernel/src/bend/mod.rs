@@ -57,8 +57,8 @@ pub struct BendLine {
     /// The angle that the sheet is bent by along it, radians, positive for a mountain: down, away
     /// from the side that the pattern is seen from.
     pub angle: f64,
-    /// The inner radius of the tool that makes it, mm, where it is a fold and the flat sheet has the
-    /// bend allowance of that tool.
+    /// The inner radius of the tool that makes it, mm, where it is a fold and the flat sheet has
+    /// the bend allowance of that tool.
     pub inside_radius_mm: Option<f64>,
     /// How wide its step is at both ends, across the line, mm; 0 of a fold and in an apex.
     pub pitch_mm: [f64; 2],

@@ -1,5 +1,6 @@
-//! Texts that belong to a place on an edge, the marks of seams and the numbers of ticks: each stands
-//! beside its tick or, where something is in its way, at the nearest free place along the edge.
+//! Texts that belong to a place on an edge, the marks of seams and the numbers of ticks: each
+//! stands beside its tick or, where something is in its way, at the nearest free place along the
+//! edge.
 //!
 //! They have their places before all other texts, which keep clear of them. A text goes by steps of
 //! half its height, ahead and back by turns, along the line that its tick stands on, and no farther
