@@ -9,6 +9,7 @@ mod fold_price;
 mod gallery;
 mod measured;
 mod outputs;
+mod panels;
 mod peers;
 mod quads;
 mod templates;
@@ -29,6 +30,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask gallery      writes docs/gallery.md, its pictures and examples/gallery/
   cargo xtask measured     writes docs/measured.md: gores against the sphere, a duct against tradition
   cargo xtask outputs      makes all there is with a command: --with COMMAND --out DIR
+  cargo xtask panels       writes a curve table of random panels for measuring batches: COUNT SAMPLES FILE
   cargo xtask peers        what bench/peers/run calls; writes bench/peers/README.md: our speed beside CGAL's
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         "gallery" => gallery::write(),
         "measured" => measured::write(),
         "outputs" => outputs::write().map_err(Into::into),
+        "panels" => panels::write(),
         "peers" => peers::run(),
         "quads" => quads::write(),
         "templates" => templates::write(),

@@ -1,13 +1,15 @@
 //! The command line: what each command takes.
 
+mod batch;
 mod mesh;
 mod output;
 mod sheets;
 mod source;
 mod values;
 
+pub(crate) use batch::{BatchArgs, Shard};
 pub(crate) use mesh::MeshArgs;
-pub(crate) use source::SourceArgs;
+pub(crate) use source::{InputArgs, SourceArgs, StdinFormat};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
@@ -34,6 +36,8 @@ Examples:
       A drawing (.svg, .dxf): closed curves are outlines and holes, two open ones are rails
   sheetwright check dinghy.sheet.json
       Will it bend? Prints the verdict and writes no files
+  sheetwright batch facade.csv --table panels.csv
+      A row a panel: verdict, strain, radius, areas, sizes, for as many as there are
   sheetwright new --list
       Templates: cones, ducts, domes and others, with their parameters
   sheetwright new cone --set bottom=40cm --make build
@@ -70,6 +74,23 @@ Examples:
   sheetwright check leaf.csv --samples 300 --method bridge
   sheetwright check hood.stl --units cm --material leather-2mm
   sheetwright check dinghy.sheet.json --json";
+
+const BATCH_EXAMPLES: &str = "\
+Examples:
+  sheetwright batch facade.csv --table panels.csv
+      Every curve of a table is a panel; a column `panel` groups outlines with holes, or two rails
+  sheetwright batch designs/ --table panels.jsonl --threads 8
+      All designs, tables, drawings and meshes of a folder, each finding in words
+  make-designs | sheetwright batch - --table panels.csv
+      Designs as JSON lines, a .sheet.json in each
+  sheetwright batch facade.csv --table panels.csv --resume
+      Goes on after the last whole row of a table that was stopped
+  sheetwright batch facade.csv --table part-3.csv --shard 3/16
+      Every 16th panel, from the third: for clusters; docs/batch.md tells how to merge
+  sheetwright batch facade.csv --out build --formats dxf
+      The patterns, too: build/ID/ for each panel, and build/table.csv
+
+Exit status: as of the others; 1 also where a panel could not be made, and its row says why";
 
 const CONVERT_EXAMPLES: &str = "\
 Examples:
@@ -114,6 +135,9 @@ pub(crate) enum Command {
     /// Say whether the panels will bend
     #[command(after_help = CHECK_EXAMPLES)]
     Check(CheckArgs),
+    /// Make a table with a row for each of many panels
+    #[command(after_help = BATCH_EXAMPLES)]
+    Batch(Box<BatchArgs>),
     /// Write a design from a template
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArgs),
@@ -134,6 +158,8 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct MakeArgs {
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
     #[command(flatten)]
     pub(crate) source: SourceArgs,
     /// The folder for the files; it is created if it is missing, and its other files stay
@@ -173,6 +199,8 @@ impl MakeArgs {
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
     #[command(flatten)]
+    pub(crate) input: InputArgs,
+    #[command(flatten)]
     pub(crate) source: SourceArgs,
     #[command(flatten)]
     pub(crate) mesh: MeshArgs,
@@ -208,6 +236,8 @@ pub(crate) struct NewArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArgs {
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
     #[command(flatten)]
     pub(crate) source: SourceArgs,
     /// The file to write: .sheet.json (design), .csv (table), .obj, .step, .fold, .pdf, .html or

@@ -6,16 +6,18 @@ use crate::make::{checked_of, made, names_of, note_options};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
+use sheetwright::make::Judging;
 use sheetwright_files::findings_json;
 
 pub(crate) fn run(args: &CheckArgs, voice: Voice) -> Result<bool, Failure> {
-    let design = source::design(&args.source, &args.mesh, voice)?;
+    let design = source::design(&args.input, &args.source, &args.mesh, voice)?;
     note_options(&design, &args.mesh, voice);
     let mut watcher = Watcher::new(voice);
-    let made = made(&design, args.source.judging(), &mut watcher, &source::name(&args.source))?;
+    let judging = args.source.judging(Judging::Exact);
+    let made = made(&design, judging, &mut watcher, &source::name(&args.input))?;
     let panels = checked_of(&made);
     print(&if voice.json {
-        findings_json(&made.name, &names_of(&made), &panels, None)
+        findings_json(&made, &panels, None)
     } else {
         in_words(&names_of(&made), &panels)
     })?;

@@ -8,6 +8,7 @@ use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
 use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
+use sheetwright::make::Judging;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
     Format, OutputOptions, findings_json, read_note_text, write_design, write_table,
@@ -49,7 +50,7 @@ impl Target {
 
 pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     let target = Target::of(&args.out)?;
-    let design = source::design(&args.source, &args.mesh, voice)?;
+    let design = source::design(&args.input, &args.source, &args.mesh, voice)?;
     note_options(&design, &args.mesh, voice);
     match target {
         Target::Table => {
@@ -65,12 +66,12 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
         Target::Made(format, ending) => {
             refuse_unmade(&design, &[format])?;
             let mut watcher = Watcher::new(voice);
-            let place = source::name(&args.source);
+            let place = source::name(&args.input);
             let single = matches!(format, Format::Svg | Format::Dxf);
             if single && design.panels_to_make().len() > 1 {
                 return Err(for_one_panel(ending, &args.out));
             }
-            let made = made(&design, args.source.judging(), &mut watcher, &place)?;
+            let made = made(&design, args.source.judging(Judging::Exact), &mut watcher, &place)?;
             let names = names_of(&made);
             // A mesh may turn out to be several parts.
             if single && names.len() > 1 {
@@ -86,7 +87,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
             write_one(&args.out, &file.bytes)?;
             // The answer is the file; what was found is said beside it.
             if voice.json {
-                say(&findings_json(&made.name, &names, &outputs.panels, None));
+                say(&findings_json(&made, &outputs.panels, None));
             } else if !voice.quiet {
                 say(&in_words(&names, &outputs.panels));
             }

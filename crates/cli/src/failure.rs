@@ -93,10 +93,12 @@ impl From<WriteError> for Failure {
     }
 }
 
-/// The loop of a shell that makes all inputs of a pattern, each into a folder of its own.
+/// The call that makes a table of all inputs of a pattern; and the loop of a shell that makes each
+/// of them into a folder of its own.
 pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
     format!(
-        "For all files, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
+        "For a table with a row for each panel: `sheetwright batch {pattern} --table panels.csv`. \
+         For all files, in a shell: for f in {pattern}; do sheetwright make \"$f\" --out \
          \"${{f%{ending}}}\"; done"
     )
 }

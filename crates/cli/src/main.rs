@@ -1,6 +1,7 @@
 //! The command `sheetwright`: boundary curves in, flat patterns and a verdict out.
 
 mod args;
+mod batch;
 mod check;
 mod convert;
 mod failure;
@@ -51,6 +52,7 @@ fn run(command: &Command, voice: Voice) -> Result<bool, Failure> {
     match command {
         Command::Make(args) => make::run(args, voice),
         Command::Check(args) => check::run(args, voice),
+        Command::Batch(args) => batch::run(args, voice),
         Command::New(args) => new::run(args, voice),
         Command::Convert(args) => convert::run(args, voice),
         Command::Completions { shell } => pages::completions(*shell).map(|()| false),

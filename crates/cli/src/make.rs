@@ -21,7 +21,7 @@ const FAULT: &str = "This is a fault of the program: please report it with the i
 
 pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     let start = Instant::now();
-    let design = source::design(&args.source, &args.mesh, voice)?;
+    let design = source::design(&args.input, &args.source, &args.mesh, voice)?;
     let formats = match &args.formats[..] {
         [] => formats_for(&design),
         asked => Format::ALL.into_iter().filter(|format| asked.contains(format)).collect(),
@@ -29,8 +29,8 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     refuse_unmade(&design, &formats)?;
     note_options(&design, &args.mesh, voice);
     let job = Job {
-        input: &source::name(&args.source),
-        judging: args.source.judging(),
+        input: &source::name(&args.input),
+        judging: args.source.judging(Judging::Exact),
         out: &args.out,
         formats: &formats,
         options: args.options(&design),
@@ -115,7 +115,7 @@ impl Job<'_> {
             names.push(name.clone());
         }
         let answer = if voice.json {
-            findings_json(&made.name, &names_of(&made), &outputs.panels, Some(&names))
+            findings_json(&made, &outputs.panels, Some(&names))
         } else {
             in_words(&names_of(&made), &outputs.panels)
         };

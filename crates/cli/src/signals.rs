@@ -3,6 +3,17 @@
 //! Then the signal does what it does by itself, so that a shell sees what has ended the command. On
 //! Windows, and after a signal that no program can catch, the next run removes what is left.
 
+use std::sync::OnceLock;
+
+/// What is said when a signal ends the command.
+static LAST_WORDS: OnceLock<String> = OnceLock::new();
+
+/// Has this said when a signal ends the command.
+pub(crate) fn say_when_stopped(text: String) {
+    // The first to say something has the word.
+    let _ = LAST_WORDS.set(text);
+}
+
 /// Sees to it from now on, on a thread of its own.
 #[cfg(unix)]
 pub(crate) fn clean_up_when_stopped() {
@@ -20,6 +31,9 @@ pub(crate) fn clean_up_when_stopped() {
     std::thread::spawn(move || {
         for signal in signals.forever() {
             give_up();
+            if let Some(text) = LAST_WORDS.get() {
+                crate::voice::say(text);
+            }
             let _ = emulate_default_handler(signal);
         }
     });

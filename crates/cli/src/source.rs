@@ -1,6 +1,6 @@
 //! The input of a command, from a file or from standard input.
 
-use crate::args::{MeshArgs, SourceArgs};
+use crate::args::{InputArgs, MeshArgs, SourceArgs};
 use crate::failure::{Failure, INPUT_ENDINGS, for_all};
 use crate::size::sized;
 use crate::voice::Voice;
@@ -13,13 +13,38 @@ use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
 
-const STDIN: &str = "standard input";
+pub(crate) const STDIN: &str = "standard input";
 /// The bytes at the beginning of a file in which a comment may name its unit.
 const LOOKED_AT: u64 = 1 << 14;
 
 /// The design that the input holds, with its meshes laid flat as these arguments say.
-pub(crate) fn design(args: &SourceArgs, mesh: &MeshArgs, voice: Voice) -> Result<Design, Failure> {
-    let Read { format, said, design, notes } = read(args, mesh)?;
+pub(crate) fn design(
+    input: &InputArgs,
+    args: &SourceArgs,
+    mesh: &MeshArgs,
+    voice: Voice,
+) -> Result<Design, Failure> {
+    settled(read(input, args, mesh)?, args, voice)
+}
+
+/// The design in a file.
+pub(crate) fn design_in(
+    path: &Path,
+    args: &SourceArgs,
+    mesh: &MeshArgs,
+    voice: Voice,
+) -> Result<Design, Failure> {
+    settled(read_file(path, &options(args, mesh))?, args, voice)
+}
+
+/// The settings of the caller, those of meshes among them.
+pub(crate) fn options(args: &SourceArgs, mesh: &MeshArgs) -> ReadOptions {
+    ReadOptions { mesh: mesh.settings(), ..args.options() }
+}
+
+/// The design in the size that the call gives; what is to be noted of it is said.
+fn settled(read: Read, args: &SourceArgs, voice: Voice) -> Result<Design, Failure> {
+    let Read { format, said, design, notes } = read;
     notes.iter().for_each(|note| voice.note(&format!("note: {note}")));
     sized(design, format, said, args, voice)
 }
@@ -33,10 +58,17 @@ struct Read {
     notes: Vec<String>,
 }
 
-fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
-    let second_table = args.with.as_deref().map(second_table).transpose()?;
-    let options = ReadOptions { mesh: mesh.settings(), second_table, ..args.options() };
-    match (args.input == Path::new("-"), args.from) {
+fn read_file(path: &Path, options: &ReadOptions) -> Result<Read, Failure> {
+    let design = read_input(path, options)?;
+    let (format, said) = (InputFormat::of(path)?, said_in(path));
+    let notes = notes_of(path, format, options);
+    Ok(Read { format, said, design, notes })
+}
+
+fn read(input: &InputArgs, args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
+    let second_table = input.with.as_deref().map(second_table).transpose()?;
+    let options = ReadOptions { second_table, ..options(args, mesh) };
+    match (input.input == Path::new("-"), input.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
             let format = from.format();
@@ -64,13 +96,8 @@ fn read(args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
                 "Leave --from out: the ending of a file's name tells its format.",
             ))
         }
-        (false, None) if args.input.is_dir() => Err(folder(&args.input)),
-        (false, None) => {
-            let design = read_input(&args.input, &options)?;
-            let (format, said) = (InputFormat::of(&args.input)?, said_in(&args.input));
-            let notes = notes_of(&args.input, format, &options);
-            Ok(Read { format, said, design, notes })
-        }
+        (false, None) if input.input.is_dir() => Err(folder(&input.input)),
+        (false, None) => read_file(&input.input, &options),
     }
 }
 
@@ -134,6 +161,6 @@ fn in_shell(path: &Path) -> String {
 }
 
 /// How messages name the input.
-pub(crate) fn name(args: &SourceArgs) -> String {
+pub(crate) fn name(args: &InputArgs) -> String {
     if args.input == Path::new("-") { STDIN.to_owned() } else { args.input.display().to_string() }
 }

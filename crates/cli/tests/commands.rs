@@ -664,16 +664,17 @@ fn a_folder_is_answered_with_what_makes_all_in_it() {
     fs::create_dir(desk.path("parts")).unwrap();
     fs::write(desk.path("parts/square.csv"), SQUARE).unwrap();
     let (_, error) = desk.says("make parts --out out", 2);
-    let wanted = "error: parts: this is a folder\nhint: Name one file in it. For all files, in a shell: for \
-                  f in \
-                  parts/*.csv; do sheetwright make \"$f\" --out \"${f%.csv}\"; done\n";
+    let wanted = "error: parts: this is a folder\nhint: Name one file in it. For a table with a row for each \
+                  panel: `sheetwright batch parts/*.csv --table panels.csv`. For all files, in a shell: \
+                  for f in parts/*.csv; do sheetwright make \"$f\" --out \"${f%.csv}\"; done\n";
     assert_eq!(error, wanted);
     fs::rename(desk.path("parts"), desk.path("a&b's")).unwrap();
     let (_, error) = desk.says("make a&b's --out out", 2);
     assert!(error.contains(r"for f in 'a&b'\''s'/*.csv; do"), "{error}");
     let (_, error) = desk.says("check a&b's/square.csv a&b's/other.csv", 2);
     assert!(
-        error.contains("hint: Give one input at a time. For all files, in a shell: for f in *.csv"),
+        error.contains("hint: Give one input at a time. For a table with a row")
+            && error.contains("For all files, in a shell: for f in *.csv"),
         "{error}"
     );
 }

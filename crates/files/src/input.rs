@@ -182,11 +182,24 @@ pub fn read_bytes(
         }
         InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
     };
+    settle(&mut design, format, options)?;
+    Ok(design)
+}
+
+/// Sets what the caller asks for in place of what the design says, or a format can't say.
+///
+/// # Errors
+/// An unknown material or trade, or a setting that does not go with the design.
+pub(crate) fn settle(
+    design: &mut Design,
+    format: InputFormat,
+    options: &ReadOptions,
+) -> Result<(), InputError> {
     if let Some(material) = material_asked_for(options, &design.materials)? {
         design.material = Some(material);
     }
-    options.bends.set(&mut design);
-    options.sheets.set(&mut design)?;
+    options.bends.set(design);
+    options.sheets.set(design)?;
     design.dimensions = options.dimensions.or(design.dimensions);
     design.thickness_mm = options.thickness_mm.or(design.thickness_mm);
     design.bend_radius_mm = options.bend_radius_mm.or(design.bend_radius_mm);
@@ -212,7 +225,7 @@ pub fn read_bytes(
             hint: "Name a material, or give a thickness.".to_owned(),
         });
     }
-    Ok(design)
+    Ok(())
 }
 
 /// Why a second file is refused.
@@ -237,7 +250,8 @@ fn material_asked_for(
     found.map_err(|(message, hint)| InputError { message, place: None, hint })
 }
 
-fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), InputError> {
+/// Refuses settings out of range, and those that do not go with a format.
+pub(crate) fn check_options(format: InputFormat, options: &ReadOptions) -> Result<(), InputError> {
     let refused = |message: String, hint: &str| {
         Err(InputError { message, place: None, hint: hint.to_owned() })
     };

@@ -20,6 +20,7 @@
 mod archive;
 mod arcs;
 mod astm;
+mod batch;
 mod bend_rule;
 mod book;
 mod brake;
@@ -70,6 +71,10 @@ mod words;
 
 pub use archive::zipped;
 pub use astm::write_astm;
+pub use batch::{
+    BatchCount, DesignLine, DesignLines, Ids, KeptRow, RowError, RowHead, TableForm, TablePanel,
+    TablePanels, TableRows, holds_panels,
+};
 pub use bend_rule::bend_rule;
 pub use brake::BrakeSettings;
 pub use catalogue::{catalogue_json, catalogue_text, parameter_table, template_text};
@@ -85,7 +90,7 @@ pub use linework::DrawingFormat;
 pub use materials::{catalogue_names, known_materials, material_group, material_named};
 pub use mesh::{MeshFormat, units_said};
 pub use messages::{PanelTimes, error_json, findings_json, timing_json};
-pub use names::{shown, visible};
+pub use names::{refused_for_file, shown, visible};
 pub use obj::write_obj;
 pub use offsets::{OffsetOptions, write_offsets};
 pub use output::{OutputError, OutputFile, OutputOptions, Outputs, formats_for, output_files};
@@ -99,7 +104,7 @@ pub use quantity::{
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
     BendSettings, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings, ReadOptions,
-    SecondTable, SheetSettings, VarySettings, read_limited,
+    SecondTable, SheetSettings, VarySettings, read_limited, stem,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{

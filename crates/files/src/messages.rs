@@ -4,7 +4,8 @@
 use crate::names::is_invisible;
 use crate::words::{finding_place, finding_text};
 use serde::Serialize;
-use sheetwright::check::Checked;
+use sheetwright::check::{Checked, Finding};
+use sheetwright::make::{Made, PanelValues};
 
 #[derive(Serialize)]
 struct ErrorFile<'a> {
@@ -28,15 +29,47 @@ struct PanelFile<'a> {
     name: &'a str,
     verdict: &'a str,
     findings: Vec<FindingFile<'a>>,
+    #[serde(flatten)]
+    values: ValuesFile,
 }
 
 #[derive(Serialize)]
-struct FindingFile<'a> {
+pub(crate) struct FindingFile<'a> {
     severity: &'a str,
     code: &'a str,
     text: String,
     #[serde(rename = "where")]
     place: String,
+}
+
+/// Values of a panel, called as in `report.json`; none where there is no panel.
+#[derive(Default, Serialize)]
+pub(crate) struct ValuesFile {
+    warp_max_deg: Option<f64>,
+    strain_p95: Option<f64>,
+    strain_limit: Option<f64>,
+    bend_radius_min_mm: Option<f64>,
+    area_flat_mm2: Option<f64>,
+    area_space_mm2: Option<f64>,
+    outline_length_mm: Option<f64>,
+    flat_width_mm: Option<f64>,
+    flat_height_mm: Option<f64>,
+}
+
+impl ValuesFile {
+    pub(crate) fn of(values: &PanelValues) -> Self {
+        Self {
+            warp_max_deg: values.warp_max_deg,
+            strain_p95: values.strain_p95,
+            strain_limit: Some(values.strain_limit),
+            bend_radius_min_mm: values.bend_radius_min_mm,
+            area_flat_mm2: Some(values.area_flat_mm2),
+            area_space_mm2: Some(values.area_space_mm2),
+            outline_length_mm: Some(values.outline_length_mm),
+            flat_width_mm: Some(values.flat_width_mm),
+            flat_height_mm: Some(values.flat_height_mm),
+        }
+    }
 }
 
 /// How long each stage of a panel took, in seconds.
@@ -65,30 +98,27 @@ pub fn error_json(message: &str, place: Option<&str>, hint: &str) -> String {
     line(&ErrorFile { error: message, place, hint })
 }
 
-/// The verdict and the findings of every panel as one line of JSON, panels and findings as in
-/// `report.json`. `panels` has one entry per name; `files` are the written files, `None` where the
+/// The verdict, the findings and the main values of every part as one line of JSON, called as in
+/// `report.json`. `checked` has one entry a part; `files` are the written files, `None` where the
 /// command writes none.
-pub fn findings_json(
-    name: &str,
-    names: &[&str],
-    panels: &[Checked],
-    files: Option<&[String]>,
-) -> String {
-    let panels = names.iter().zip(panels).map(|(name, checked)| PanelFile {
-        name,
+pub fn findings_json(made: &Made, checked: &[Checked], files: Option<&[String]>) -> String {
+    let panels = made.parts.iter().zip(checked).map(|(part, checked)| PanelFile {
+        name: &part.name,
         verdict: checked.verdict.name(),
-        findings: checked
-            .findings
-            .iter()
-            .map(|f| FindingFile {
-                severity: f.severity().name(),
-                code: f.code(),
-                text: finding_text(f),
-                place: finding_place(f),
-            })
-            .collect(),
+        findings: findings_of(&checked.findings),
+        values: ValuesFile::of(&PanelValues::of(part, made.material.as_ref())),
     });
-    line(&FindingsFile { sheetwright: 1, name, panels: panels.collect(), files })
+    line(&FindingsFile { sheetwright: 1, name: &made.name, panels: panels.collect(), files })
+}
+
+pub(crate) fn findings_of(findings: &[Finding]) -> Vec<FindingFile<'_>> {
+    let of = |f: &'_ Finding| FindingFile {
+        severity: f.severity().name(),
+        code: f.code(),
+        text: finding_text(f),
+        place: finding_place(f),
+    };
+    findings.iter().map(of).collect()
 }
 
 /// `timing.json`: how long each panel and the whole took, in seconds.
@@ -98,7 +128,7 @@ pub fn timing_json(panels: &[PanelTimes], total: f64) -> Vec<u8> {
 
 /// One line of JSON. Texts and finite numbers always serialise. Control and invisible characters
 /// are escaped, also where JSON does not require it.
-fn line(value: &impl Serialize) -> String {
+pub(crate) fn line(value: &impl Serialize) -> String {
     let json = serde_json::to_string(value).unwrap_or_default();
     let mut line = String::with_capacity(json.len() + 1);
     for c in json.chars() {

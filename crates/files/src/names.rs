@@ -42,7 +42,7 @@ pub(crate) fn refused_for_curve(name: &str) -> Option<&'static str> {
 }
 
 /// Why no file can have this name on every system, as the end of a sentence that begins with it.
-pub(crate) fn refused_for_file(name: &str) -> Option<&'static str> {
+pub fn refused_for_file(name: &str) -> Option<&'static str> {
     if let Some(why) = refused_anywhere(name) {
         return Some(why);
     }

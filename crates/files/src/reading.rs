@@ -355,7 +355,7 @@ pub(crate) fn display_name(name: &str) -> &str {
 
 /// The default name of an input: the file's name without its endings, or `panel` for standard
 /// input.
-pub(crate) fn stem(name: &str) -> String {
+pub fn stem(name: &str) -> String {
     if name == "-" {
         return "panel".to_owned();
     }
@@ -395,7 +395,7 @@ pub(crate) fn refuse_folder(path: &Path) -> Result<(), InputError> {
 pub(crate) fn read_whole(path: &Path) -> Result<Vec<u8>, InputError> {
     refuse_folder(path)?;
     let place = path.display().to_string();
-    let file = File::open(path).map_err(|error| unreadable(&place, &error))?;
+    let file = File::open(path).map_err(|error| io_error(&place, &error))?;
     // Fails at once if the size is known; the bytes of a pipe are counted while they are read.
     if file.metadata().is_ok_and(|data| data.len() > MAX_INPUT_BYTES) {
         return Err(too_large(&place));
@@ -412,7 +412,7 @@ pub fn read_limited(reader: impl Read, place: &str) -> Result<Vec<u8>, InputErro
     reader
         .take(MAX_INPUT_BYTES + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| unreadable(place, &error))?;
+        .map_err(|error| io_error(place, &error))?;
     if bytes.len() as u64 > MAX_INPUT_BYTES { Err(too_large(place)) } else { Ok(bytes) }
 }
 
@@ -430,7 +430,8 @@ fn too_large(place: &str) -> InputError {
     )
 }
 
-fn unreadable(place: &str, error: &io::Error) -> InputError {
+/// The error for what the system can't read.
+pub(crate) fn io_error(place: &str, error: &io::Error) -> InputError {
     // Operating systems word these errors differently; common causes get a text of this program.
     let (message, hint) = match error.kind() {
         io::ErrorKind::NotFound => {

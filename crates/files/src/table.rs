@@ -7,9 +7,8 @@ use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::PriceOptions;
 use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
+use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, FEWEST_ON_RAIL, PanelShape};
 use sheetwright::math::Point3;
-use sheetwright::triangulate::Goal;
 use std::collections::BTreeMap;
 
 /// The most rows of a table, which is the most samples of a boundary.
@@ -20,6 +19,8 @@ pub const MAX_CURVES: usize = 10_000;
 const UNNAMED: &str = "outline";
 /// The columns, required ones first.
 const COLUMNS: [&str; 6] = ["x", "y", "z", "curve", "corner", "move"];
+/// The column that groups curves to panels, in tables of many panels.
+const PANEL: &str = "panel";
 const HEADER_HINT: &str = "The first line names the columns, as in: curve,x,y,z";
 const NUMBER_HINT: &str = "Write numbers as in 12.5 or 1e-3, with a decimal point and no unit.";
 const COMMA_HINT: &str =
@@ -59,39 +60,37 @@ impl TableCurve {
 pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve>, InputError> {
     let place = display_name(name);
     let separator = separator_of(text);
-    let mut rows = csv::ReaderBuilder::new()
+    let mut rows = reader(text, separator);
+    let mut row = csv::StringRecord::new();
+    if !rows.read_record(&mut row).map_err(|error| unreadable(place, &error))? {
+        return Err(InputError::at(place, "the table has no header", HEADER_HINT));
+    }
+    let columns = Columns::of_header(&row, separator, &format!("{place}:{}", line_of(&row, text)))?;
+    if columns.panel.is_some() {
+        let hint = "Leave the column out: the first curve is the outline, others are holes.";
+        let message = "the column 'panel' is for tables of many panels";
+        return Err(InputError::at(place, message, hint));
+    }
+    let curves = columns.curves(&mut rows, text, (place, 0), units)?;
+    if curves.is_empty() {
+        let hint = "Add one row for each point, in the order of the curve.";
+        return Err(InputError::at(place, "the table has no rows below its header", hint));
+    }
+    Ok(curves)
+}
+
+fn reader(text: &str, separator: u8) -> csv::Reader<&[u8]> {
+    csv::ReaderBuilder::new()
         .delimiter(separator)
         .has_headers(false)
         .flexible(true)
         .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let mut row = csv::StringRecord::new();
-    // Reading can't fail here: the reader reads memory, and the text is valid UTF-8.
-    let unreadable = |error: csv::Error| InputError::at(place, error.to_string(), HEADER_HINT);
-    if !rows.read_record(&mut row).map_err(unreadable)? {
-        return Err(InputError::at(place, "the table has no header", HEADER_HINT));
-    }
-    let mut columns = Columns::of_header(&row, &format!("{place}:{}", line_of(&row, text)))?;
-    columns.decimal_comma = separator != b',';
-    let mut curves = Curves::default();
-    let mut count = 0;
-    while rows.read_record(&mut row).map_err(unreadable)? {
-        count += 1;
-        let place = format!("{place}:{}", line_of(&row, text));
-        if count > MAX_ROWS {
-            let message = format!("the table has more than {MAX_ROWS} rows");
-            let hint =
-                "Remove rows, or divide the table; a few hundred points are enough for a curve.";
-            return Err(InputError::at(place, message, hint));
-        }
-        let (curve, point) = columns.read(&row, &place, units)?;
-        curves.push(curve, point, &place)?;
-    }
-    if curves.list.is_empty() {
-        let hint = "Add one row for each point, in the order of the curve.";
-        return Err(InputError::at(place, "the table has no rows below its header", hint));
-    }
-    Ok(curves.list)
+        .from_reader(text.as_bytes())
+}
+
+// Reading can't fail here: the reader reads memory, and the text is valid UTF-8.
+fn unreadable(place: &str, error: &csv::Error) -> InputError {
+    InputError::at(place, error.to_string(), HEADER_HINT)
 }
 
 /// Whether the header of a text shows that it is a curve table, if perhaps one with mistakes: two
@@ -119,6 +118,13 @@ pub(crate) fn line_of(row: &csv::StringRecord, text: &str) -> u64 {
     let rest = text.as_bytes().get(start..).unwrap_or_default();
     let ends = rest.iter().take_while(|b| b"\r\n".contains(b)).filter(|&&b| b == b'\n');
     position.line() + ends.count() as u64
+}
+
+/// The refusal of a panel with more rows than it may have, on the line of the first beyond.
+pub(crate) fn too_many_rows(place: &str) -> InputError {
+    let message = format!("the table has more than {MAX_ROWS} rows");
+    let hint = "Remove rows, or divide the table; a few hundred points are enough for a curve.";
+    InputError::at(place, message, hint)
 }
 
 /// The curves so far.
@@ -160,10 +166,13 @@ impl Curves {
 }
 
 /// The positions of the columns, from the header.
-struct Columns {
+#[derive(Debug)]
+pub(crate) struct Columns {
+    separator: u8,
     count: usize,
     xyz: [usize; 3],
     curve: Option<usize>,
+    panel: Option<usize>,
     corner: Option<usize>,
     movable: Option<usize>,
     /// Whether numbers may have a comma for the decimal point, as it separates no columns.
@@ -171,13 +180,26 @@ struct Columns {
 }
 
 impl Columns {
-    fn of_header(header: &csv::StringRecord, place: &str) -> Result<Self, InputError> {
+    /// The columns that a line names.
+    pub(crate) fn of_line(line: &str, place: &str) -> Result<Self, InputError> {
+        let separator = separator_of(line);
+        let mut header = csv::StringRecord::new();
+        let read = reader(line, separator).read_record(&mut header);
+        read.map_err(|error| unreadable(place, &error))?;
+        Self::of_header(&header, separator, place)
+    }
+
+    fn of_header(
+        header: &csv::StringRecord,
+        separator: u8,
+        place: &str,
+    ) -> Result<Self, InputError> {
         let names: Vec<String> = header.iter().map(str::to_ascii_lowercase).collect();
         if names.iter().all(|name| name.parse::<f64>().is_ok()) {
             return Err(InputError::at(place, "the table has no header", HEADER_HINT));
         }
         for (n, name) in names.iter().enumerate() {
-            if !COLUMNS.contains(&name.as_str()) {
+            if !COLUMNS.contains(&name.as_str()) && name != PANEL {
                 let message = format!("the column {} is not known", shown(name));
                 return Err(InputError::at(place, message, did_you_mean(name, &COLUMNS)));
             }
@@ -194,13 +216,66 @@ impl Columns {
             })
         };
         Ok(Self {
+            separator,
             count: names.len(),
             xyz: [required("x")?, required("y")?, required("z")?],
             curve: find("curve"),
+            panel: find(PANEL),
             corner: find("corner"),
             movable: find("move"),
-            decimal_comma: false,
+            decimal_comma: separator != b',',
         })
+    }
+
+    /// Whether a column names the panel or the curve of each row.
+    pub(crate) fn names_panels(&self) -> bool {
+        self.panel.or(self.curve).is_some()
+    }
+
+    /// The panel that a row belongs to by its name: that of the column `panel`, else of `curve`.
+    pub(crate) fn panel_of(&self, line: &str) -> String {
+        let Some(column) = self.panel.or(self.curve) else { return String::new() };
+        if !line.contains('"') {
+            let cell = line.split(char::from(self.separator)).nth(column).unwrap_or("");
+            return unguarded(cell.trim()).to_owned();
+        }
+        let mut row = csv::StringRecord::new();
+        let is_read = reader(line, self.separator).read_record(&mut row).unwrap_or(false);
+        let cell = row.get(column).filter(|_| is_read).unwrap_or("");
+        unguarded(cell).to_owned()
+    }
+
+    /// The curves of some rows below the header, which begin on the line after `lines_above`.
+    pub(crate) fn curves_of(
+        &self,
+        text: &str,
+        place: &str,
+        lines_above: u64,
+        units: Units,
+    ) -> Result<Vec<TableCurve>, InputError> {
+        self.curves(&mut reader(text, self.separator), text, (place, lines_above), units)
+    }
+
+    fn curves(
+        &self,
+        rows: &mut csv::Reader<&[u8]>,
+        text: &str,
+        (place, lines_above): (&str, u64),
+        units: Units,
+    ) -> Result<Vec<TableCurve>, InputError> {
+        let mut row = csv::StringRecord::new();
+        let mut curves = Curves::default();
+        let mut count = 0;
+        while rows.read_record(&mut row).map_err(|error| unreadable(place, &error))? {
+            count += 1;
+            let place = format!("{place}:{}", lines_above + line_of(&row, text));
+            if count > MAX_ROWS {
+                return Err(too_many_rows(&place));
+            }
+            let (curve, point) = self.read(&row, &place, units)?;
+            curves.push(curve, point, &place)?;
+        }
+        Ok(curves.list)
     }
 
     /// The curve's name and the point of a row.
@@ -309,6 +384,12 @@ pub(crate) fn read_as_design(
         let hint = "Rename the file: the panel and its output files are named after it.";
         return Err(InputError::at(display_name(name), message, hint));
     }
+    Ok(design_of_loops(&table, &called, options))
+}
+
+/// Some closed curves as a design: one panel of this name, whose outer loop is the first curve and
+/// whose holes are the others.
+pub(crate) fn design_of_loops(table: &[TableCurve], called: &str, options: &ReadOptions) -> Design {
     // Rows are the samples themselves unless the caller sets a number of samples.
     let kind = options.samples.map(|_| CurveKind::Spline);
     let curves: Vec<DesignCurve> = table
@@ -321,29 +402,48 @@ pub(crate) fn read_as_design(
         })
         .collect();
     let whole = |curve: &DesignCurve| vec![CurveUse { name: curve.name.clone(), reversed: false }];
+    let shape = PanelShape::Loops {
+        outer: curves.first().map(whole).unwrap_or_default(),
+        holes: curves.iter().skip(1).map(whole).collect(),
+    };
+    let samples = options.samples.or(curves.first().map(|curve| curve.points.len()));
+    design_of(curves, DesignPanel::new(called, shape, samples.unwrap_or(0)), options)
+}
+
+/// Two open curves as a design: one panel of this name between them, each a spline through its rows
+/// with as many samples as the longer one has rows, unless the caller sets another number.
+pub(crate) fn design_of_rails(
+    rails: &[TableCurve; 2],
+    called: &str,
+    options: &ReadOptions,
+) -> Design {
+    let curves: Vec<DesignCurve> = rails
+        .iter()
+        .map(|rail| DesignCurve {
+            name: rail.name.clone(),
+            kind: Some(CurveKind::Spline),
+            closed: false,
+            points: rail.curve_points(false),
+        })
+        .collect();
+    let whole = |rail: &TableCurve| CurveUse { name: rail.name.clone(), reversed: false };
+    let shape = PanelShape::Rails([whole(&rails[0]), whole(&rails[1])]);
+    let rows = rails[0].points.len().max(rails[1].points.len());
+    let samples = options.samples.unwrap_or(rows.max(FEWEST_ON_RAIL));
+    design_of(curves, DesignPanel::new(called, shape, samples), options)
+}
+
+fn design_of(curves: Vec<DesignCurve>, panel: DesignPanel, options: &ReadOptions) -> Design {
     let panel = DesignPanel {
-        name: called.clone(),
-        shape: PanelShape::Loops {
-            outer: whole(&curves[0]),
-            holes: curves[1..].iter().map(whole).collect(),
-        },
-        samples: options.samples.unwrap_or(curves[0].points.len()),
-        tolerance: None,
         method: options.method.unwrap_or_default(),
-        goal: Goal::Price,
-        run_on: false,
         which: options.which.unwrap_or_default(),
-        near: Vec::new(),
-        bends: None,
-        count: 1,
-        mirrored: 0,
         plane: options.plane.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         effort: options.effort.unwrap_or(1.0),
-        cut: Vec::new(),
+        ..panel
     };
     let vary = options.vary.applied(Vec::new());
-    Ok(Design { name: called, curves, panels: vec![panel], vary, ..Design::default() })
+    Design { name: panel.name.clone(), curves, panels: vec![panel], vary, ..Design::default() }
 }
 
 /// The points of curves as a table in millimetres, which reads back to the same bits.

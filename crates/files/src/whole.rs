@@ -1,8 +1,11 @@
 //! Files that are written whole or not at all. They wait in a temporary folder beside their place
-//! (`room`), then all are renamed. If one rename fails, the files before it are restored.
+//! (`room`), then all are renamed. If one rename fails, the files before it are restored. One kind
+//! of file stands under its name while it is written: a table that grows by whole rows (`growing`).
 
+mod growing;
 mod room;
 
+pub use growing::Growing;
 pub use room::{TEMPORARY, give_up};
 
 use room::{Room, hold, remove_empty, sweep};
@@ -76,6 +79,14 @@ impl Folder {
             break;
         }
         Ok(Self { path: path.to_owned() })
+    }
+
+    /// Creates it, and those above it, where they are missing.
+    ///
+    /// # Errors
+    /// It can't be created.
+    pub fn create(&self) -> Result<(), WriteError> {
+        fs::create_dir_all(&self.path).map_err(|error| WriteError::of(&self.path, &error))
     }
 
     /// Begins a batch of files that are kept together. Creates the folder if needed, and removes

@@ -14,9 +14,9 @@ use sheetwright_files::{
 };
 use std::path::PathBuf;
 
-/// The input, and the options that replace its values.
+/// The input of a command that takes one.
 #[derive(Debug, Args)]
-pub(crate) struct SourceArgs {
+pub(crate) struct InputArgs {
     /// A design (.sheet.json), a curve table (.csv), a table of offsets (.csv, .tsv, .txt, .xlsx,
     /// .ods), a drawing (.svg, .dxf), a mesh (.obj, .stl, .ply, .glb), or - for standard input
     #[arg(value_name = "INPUT")]
@@ -27,6 +27,11 @@ pub(crate) struct SourceArgs {
     /// A second file of a table of offsets: its half-breadths, where INPUT has its heights
     #[arg(long, value_name = "FILE")]
     pub(crate) with: Option<PathBuf>,
+}
+
+/// The options that replace the values of an input.
+#[derive(Debug, Args)]
+pub(crate) struct SourceArgs {
     /// The number of samples of each outer loop or rail; with it, the curves of a table become
     /// splines through their points
     #[arg(long, value_name = "N")]
@@ -45,9 +50,9 @@ pub(crate) struct SourceArgs {
     /// how far it may be from the best possible; with sheets, the work of laying parts out, too
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     effort: Option<f64>,
-    /// What the verdict comes from
-    #[arg(long, value_enum, ignore_case = true, value_name = "HOW", default_value = "exact")]
-    verdict: VerdictArg,
+    /// What the verdict comes from [default: exact; auto in a batch]
+    #[arg(long, value_enum, ignore_case = true, value_name = "HOW")]
+    verdict: Option<VerdictArg>,
     /// Which triangulations are searched
     #[arg(long, value_enum, ignore_case = true, value_name = "METHOD")]
     method: Option<MethodArg>,
@@ -197,10 +202,13 @@ fn scale(given: &str) -> Result<f64, String> {
 }
 
 impl SourceArgs {
-    pub(crate) fn judging(&self) -> Judging {
+    /// What verdicts come from; where the call does not say it, `usual`.
+    pub(crate) fn judging(&self, usual: Judging) -> Judging {
         match self.verdict {
-            VerdictArg::Quick => Judging::Quick,
-            VerdictArg::Exact => Judging::Exact,
+            None => usual,
+            Some(VerdictArg::Quick) => Judging::Quick,
+            Some(VerdictArg::Auto) => Judging::Auto,
+            Some(VerdictArg::Exact) => Judging::Exact,
         }
     }
 
@@ -260,6 +268,8 @@ impl SourceArgs {
 enum VerdictArg {
     /// A formula: true within a factor of two, for many panels
     Quick,
+    /// The formula, and an elastic sheet where that factor decides whether the sheet takes it
+    Auto,
     /// An elastic sheet, computed for each panel
     Exact,
 }

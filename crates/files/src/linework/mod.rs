@@ -20,6 +20,7 @@ mod segment;
 mod svg;
 
 pub(crate) use obj::is_lines;
+pub(crate) use roles::says_rail;
 
 use crate::mesh::MeshFormat;
 use crate::reading::{InputError, ReadOptions, display_name, named_after};

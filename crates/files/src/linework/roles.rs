@@ -57,6 +57,11 @@ pub(super) fn role(curve: &Drawn) -> Option<Told<'_>> {
     names.find_map(|(name, is_own)| Some(Told { role: said(name)?, name, is_own }))
 }
 
+/// Whether a curve of this name is a rail.
+pub(crate) fn says_rail(name: &str) -> bool {
+    said(name) == Some(Role::Rail)
+}
+
 /// What a name says: that of the word that it begins with, followed by its end or by no letter.
 fn said(name: &str) -> Option<Role> {
     let name = name.trim().to_lowercase();

@@ -16,19 +16,20 @@ use sheetwright_geometry::curve::CurveKind;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::{WhichSurface, triangulate_near};
 
-/// Makes one panel. `known` holds its triangulation from the last time it was made, and then the
-/// new one, with a question that may be open.
+/// Makes one panel, its pattern without texts if it is bare. `known` holds its triangulation from
+/// the last time it was made, and then the new one, with a question that may be open.
 pub(super) fn make_found(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
+    is_bare: bool,
     known: &mut Option<Known>,
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeError> {
-    match make_as_asked(sampler, panel, known, watch) {
+    match make_as_asked(sampler, panel, is_bare, known, watch) {
         Err(error) if panel.run_on && error.cause != PanelCause::RunOn.into() && !watch.stop() => {
             let straight = DesignPanel { run_on: false, ..panel.clone() };
             *known = None;
-            let mut made = make_as_asked(sampler, &straight, known, watch)?;
+            let mut made = make_as_asked(sampler, &straight, is_bare, known, watch)?;
             made.checked.add(stayed_straight(&error.cause.to_string()));
             Ok(made)
         }
@@ -39,6 +40,7 @@ pub(super) fn make_found(
 fn make_as_asked(
     sampler: &Sampler<'_>,
     panel: &DesignPanel,
+    is_bare: bool,
     known: &mut Option<Known>,
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeError> {
@@ -81,7 +83,7 @@ fn make_as_asked(
     }
     if let Some(bulges_mm) = new_ends {
         let straight = DesignPanel { run_on: false, ..panel.clone() };
-        let straight = make_as_asked(sampler, &straight, &mut None, watch).ok();
+        let straight = make_as_asked(sampler, &straight, is_bare, &mut None, watch).ok();
         checked.add(ran_on(bulges_mm, &measures, straight.as_ref().map(|made| &made.measures)));
     }
     if let (Some(joined), PanelShape::Join(join)) = (&joined, &panel.shape) {
@@ -92,7 +94,7 @@ fn make_as_asked(
     let edges = edges_of_boundary(&sheet, &flat.points, &steps, curve);
     let marks = seam_marks(&sheet);
     let bends = design.bends_of(panel);
-    let options_of_piece = PatternOptions { bends, is_net: false };
+    let options_of_piece = PatternOptions { bends, is_net: false, is_bare };
     let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &marks, &options_of_piece);
     let found = Found {
         method: panel.method,

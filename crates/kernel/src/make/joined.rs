@@ -40,7 +40,7 @@ pub(super) fn join_meshes(parts: &mut [&mut Part]) {
         marks.extend(joints.iter().map(mark));
         // A net has a mark at every side, and no room for lengths.
         marks.iter_mut().for_each(|mark| mark.first &= !is_net);
-        let options = PatternOptions { bends: part.bends, is_net };
+        let options = PatternOptions { bends: part.bends, is_net, is_bare: false };
         part.piece = piece(
             &part.name,
             &part.sheet,

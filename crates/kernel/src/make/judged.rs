@@ -1,6 +1,7 @@
 //! The verdict on a part whose surface was found: a formula has screened it at once, since while a
 //! hand drags there is no time for more; here an elastic sheet is computed.
 
+use super::Judging;
 use super::part::{Origin, Part};
 use crate::check::check_strain;
 use crate::elastic::{Basis, Predicted, predict};
@@ -23,10 +24,26 @@ pub(super) fn judge(part: &mut Part, material: Option<&Material>, watch: &mut dy
     if part.measures.rungs.iter().any(|rung| rung.is_fold && !rung.is_scored) {
         let marks = seam_marks(&part.sheet);
         let Part { name, sheet, flat, edges, measures, bends, .. } = part;
-        let options = PatternOptions { bends: *bends, is_net: false };
+        let options = PatternOptions { bends: *bends, ..PatternOptions::default() };
         part.piece = piece(name, sheet, flat, edges, measures, &marks, &options);
     }
     false
+}
+
+/// Whether a part that a formula has screened wants an elastic sheet: always, or where its limit
+/// lies within what the strain may be by the formula.
+pub(super) fn is_to_judge(part: &Part, judging: Judging) -> bool {
+    let is_near = || {
+        part.predicted.as_ref().is_some_and(|predicted| {
+            let [least, most] = predicted.strain_range;
+            (least..=most).contains(&predicted.limits.strain)
+        })
+    };
+    match judging {
+        Judging::Quick => false,
+        Judging::Auto => is_screened(part) && is_near(),
+        Judging::Exact => is_screened(part),
+    }
 }
 
 /// Whether a part has a prediction that a better one may replace.

@@ -23,8 +23,8 @@
 use super::cleaned::{Cleaned, LastCleaned};
 use super::cut_list::wanted;
 use super::unrestricted::Known;
+use super::{How, finish, is_screened, join_meshes, settle};
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
-use super::{finish, is_screened, join_meshes, settle};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
 use crate::sample::Counts;
@@ -257,7 +257,7 @@ impl Live {
         }
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
-        let divided = finish(&mut parts, &self.design)?;
+        let divided = finish(&mut parts, &self.design, false)?;
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         let stock = self.design.stock.clone();
@@ -276,7 +276,7 @@ impl Live {
         }
         let made = self.panels.iter().filter_map(|panel| panel.made.as_ref().ok());
         let mut parts: Vec<Part> = made.flatten().cloned().collect();
-        let refused = finish(&mut parts, design).err();
+        let refused = finish(&mut parts, design, false).err();
         // What is refused of no panel is said at the first.
         let of_error = |error: &MakeError| {
             self.panels.iter().position(|panel| panel.name == error.panel).unwrap_or(0)
@@ -297,7 +297,8 @@ impl Live {
 
     fn make_changed(&mut self, watch: &mut dyn Watch) -> Vec<usize> {
         let design = &*self.counts.of(&self.design);
-        let maker = Maker::new(design, self.meshes.of(design), Judging::Exact);
+        let how = How { judging: Judging::Exact, is_bare: false };
+        let maker = Maker::new(design, self.meshes.of(design), how);
         let mut before: Vec<Option<LivePanel>> = self.panels.drain(..).map(Some).collect();
         let (mut panels, mut changed) = (Vec::new(), Vec::new());
         for (n, panel) in design.panels_to_make().into_iter().enumerate() {

@@ -12,11 +12,16 @@ use crate::pattern::{Labelled, PatternPath, Room, Wish};
 const NAMED: usize = 2;
 
 /// Adds the marks of a design to the patterns of its parts, whose edges have their mates and which
-/// have their trims, and places all texts anew. Marks that parts had went with their trims.
+/// have their trims, and places all texts anew, unless the patterns are bare. Marks that parts had
+/// went with their trims.
 ///
 /// # Errors
 /// The first mark that can't be made.
-pub(super) fn mark_parts(parts: &mut [Part], marks: &[Mark]) -> Result<(), MakeError> {
+pub(super) fn mark_parts(
+    parts: &mut [Part],
+    marks: &[Mark],
+    is_bare: bool,
+) -> Result<(), MakeError> {
     let is_note = |finding: &Finding| matches!(finding.kind, FindingKind::Marked { .. });
     parts.iter_mut().for_each(|part| part.checked.findings.retain(|finding| !is_note(finding)));
     let mut wishes: Vec<Vec<Wish>> = parts.iter().map(|_| Vec::new()).collect();
@@ -32,6 +37,9 @@ pub(super) fn mark_parts(parts: &mut [Part], marks: &[Mark]) -> Result<(), MakeE
                 part.checked.add(Finding::new(FindingKind::Marked { note }, Place::Whole));
             }
         }
+    }
+    if is_bare {
+        return Ok(());
     }
     let joined: Vec<Vec<Option<String>>> = parts.iter().map(|part| joined(part, parts)).collect();
     for ((part, joined), wishes) in parts.iter_mut().zip(&joined).zip(&wishes) {

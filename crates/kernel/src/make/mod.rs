@@ -6,6 +6,7 @@
 //! parts that are larger than the sheet are divided (`divided`). The order in which a builder joins
 //! them is `joining_order`; where they lie on sheets, `nested`.
 
+mod batch;
 mod candidate;
 mod cleaned;
 mod cut_list;
@@ -35,6 +36,7 @@ mod trimmed;
 mod truest;
 mod unrestricted;
 
+pub use batch::{PanelRow, PanelValues, make_rows};
 pub use cut_list::CutItem;
 pub use divided::DividedPart;
 pub use error::{MakeCause, MakeError};
@@ -92,8 +94,12 @@ pub struct Made {
 /// What a verdict comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judging {
-    /// A formula, true within a factor of two: "probably".
+    /// A formula, true within a factor of two: "probably". Nor are other surfaces looked for that
+    /// fit a boundary.
     Quick,
+    /// The formula; an elastic sheet where that factor decides whether the sheet takes the shape,
+    /// and for meshes.
+    Auto,
     /// An elastic sheet, some hundredths of a second for each part.
     Exact,
 }
@@ -115,19 +121,33 @@ pub fn make_judged(
     judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Made, MakeError> {
+    make_with(design, How { judging, is_bare: false }, watch)
+}
+
+/// How a design is made.
+#[derive(Clone, Copy)]
+struct How {
+    /// What the verdicts come from.
+    judging: Judging,
+    /// Whether patterns have no texts, where values alone are read: placing texts takes as long as
+    /// finding a surface.
+    is_bare: bool,
+}
+
+fn make_with(design: &Design, how: How, watch: &mut dyn Watch) -> Result<Made, MakeError> {
     if design.panels.is_empty() {
         return Err(MakeError::of_design(MakeCause::NoPanels));
     }
     let design = counted(design);
-    let (design, wanted) = &aimed_by_angles(&design, judging, watch)?;
+    let (design, wanted) = &aimed_by_angles(&design, how, watch)?;
     let varied = varied_design(design, watch)?;
     let made_from = varied.as_ref().map_or(&**design, |varied| &varied.after);
-    let mut parts = make_panels(made_from, |_| true, judging, watch)?;
+    let mut parts = make_panels(made_from, |_| true, how, watch)?;
     let mut moved = None;
     if let Some(varied) = varied {
         let shifts = &varied.shifts;
         let is_shifted = |panel: &DesignPanel| shifts.contains_key(&panel.name);
-        for before in make_panels(&varied.before, is_shifted, judging, watch)? {
+        for before in make_panels(&varied.before, is_shifted, how, watch)? {
             let part = parts.iter_mut().find(|part| part.name == before.name);
             if let (Some(part), Some(shift)) = (part, shifts.get(&before.name)) {
                 let change = Change::new(before, shift);
@@ -147,7 +167,7 @@ pub fn make_judged(
     }
     wanted.iter().for_each(|wanted| wanted.say_missed(&mut parts));
     join_meshes(&mut parts.iter_mut().collect::<Vec<_>>());
-    let divided = finish(&mut parts, design)?;
+    let divided = finish(&mut parts, design, how.is_bare)?;
     let (name, material) = (design.name.clone(), design.material.clone());
     let thickness_mm = design.sheet_thickness_mm();
     let stock = design.stock.clone();
@@ -157,17 +177,22 @@ pub fn make_judged(
 }
 
 /// What depends on all parts of a design: those that are too large are divided, edges get their
-/// mates, and patterns their trims, marks and texts. Returns what was divided.
+/// mates, and patterns their trims, marks and, unless they are bare, texts. Returns what was
+/// divided.
 ///
 /// # Errors
 /// The first trim or mark that can't be made.
-fn finish(parts: &mut Vec<Part>, design: &Design) -> Result<Vec<DividedPart>, MakeError> {
+fn finish(
+    parts: &mut Vec<Part>,
+    design: &Design,
+    is_bare: bool,
+) -> Result<Vec<DividedPart>, MakeError> {
     say_notes(parts, &design.notes);
     let (divided, of_joints) = divide_parts(parts, design);
     find_mates(parts);
     let trims = [&design.trims[..], &of_joints].concat();
     trim_parts(parts, &trims)?;
-    mark_parts(parts, &design.marks)?;
+    mark_parts(parts, &design.marks, is_bare)?;
     Ok(divided)
 }
 
@@ -177,13 +202,13 @@ struct Maker<'a> {
     matched: Matched,
     /// The meshes of the panels that are to be made.
     meshes: Vec<Option<Cleaned>>,
-    /// What the verdicts on meshes come from; those on boundaries come later.
-    judging: Judging,
+    /// The verdicts on meshes are made so; those on boundaries come later.
+    how: How,
 }
 
 impl<'a> Maker<'a> {
-    fn new(design: &'a Design, meshes: Vec<Option<Cleaned>>, judging: Judging) -> Self {
-        Self { design, matched: matched(design), meshes, judging }
+    fn new(design: &'a Design, meshes: Vec<Option<Cleaned>>, how: How) -> Self {
+        Self { design, matched: matched(design), meshes, how }
     }
 
     fn sampler(&self) -> Sampler<'_> {
@@ -201,11 +226,12 @@ impl<'a> Maker<'a> {
         watch: &mut dyn Watch,
     ) -> Result<Vec<Part>, MakeError> {
         let PanelShape::Mesh(settings) = &panel.shape else {
-            return make_found(&self.sampler(), panel, known, watch).map(|part| vec![part]);
+            let made = make_found(&self.sampler(), panel, self.how.is_bare, known, watch);
+            return made.map(|part| vec![part]);
         };
         *known = None;
         let Some(mesh) = &self.meshes[number] else { return Ok(Vec::new()) };
-        make_mesh(self.design, panel, settings, mesh, self.judging, watch)
+        make_mesh(self.design, panel, settings, mesh, self.how.judging, watch)
     }
 }
 
@@ -232,10 +258,11 @@ fn settle(
 fn make_panels(
     design: &Design,
     wanted: impl Fn(&DesignPanel) -> bool,
-    judging: Judging,
+    how: How,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
-    let maker = Maker::new(design, cleaned(design), judging);
+    let maker = Maker::new(design, cleaned(design), how);
+    let judging = how.judging;
     let material = design.material.as_ref();
     let mut parts: Vec<Part> = Vec::new();
     // The parts with a question that may be open, by their numbers.
@@ -249,11 +276,12 @@ fn make_panels(
         open.extend(known.map(|known| (parts.len(), known)));
         parts.extend(made);
     }
-    if judging == Judging::Exact {
-        let names: Vec<String> = parts.iter().map(|part| part.panel.clone()).collect();
-        watch.begin(&names.iter().map(|name| &name[..]).collect::<Vec<_>>(), Stage::Check);
-        judge_all(&mut parts, material, watch);
+    if judging == Judging::Quick {
+        return Ok(parts);
     }
+    let names: Vec<String> = parts.iter().map(|part| part.panel.clone()).collect();
+    watch.begin(&names.iter().map(|name| &name[..]).collect::<Vec<_>>(), Stage::Check);
+    judge_all(&mut parts, judging, material, watch);
     for (number, mut known) in open {
         let part = &mut parts[number];
         let answered = known.answer(part, judging, material, watch);

@@ -7,7 +7,7 @@
 //! It takes searches of its own, so the question waits until a dragged handle rests.
 
 use super::candidate::{Candidate, Setting};
-use super::judged::judge;
+use super::judged::{is_to_judge, judge};
 use super::part::{Found, Origin, Other, Part};
 use super::{Judging, MakeCause};
 use crate::check::{Verdict, two_surfaces};
@@ -43,7 +43,7 @@ pub(super) fn add_other(
     let setting = Setting { boundary, plane, options, material, thick: part.thick };
     let candidate = setting.candidate(&part.name, &triangulation, &[], watch)?;
     let Candidate { surface, sheet, flat, measures, predicted, checked } = candidate;
-    let options = PatternOptions { bends: part.bends, is_net: false };
+    let options = PatternOptions { bends: part.bends, ..PatternOptions::default() };
     let piece = piece(&part.name, &sheet, &flat, &[], &measures, &[], &options);
     let origin = Found { surface, triangulation, change: None, other: None, ..(**found).clone() };
     let mut other = Part {
@@ -60,7 +60,7 @@ pub(super) fn add_other(
         edges: Vec::new(),
         origin: Origin::Found(Box::new(origin)),
     };
-    if judging == Judging::Exact && judge(&mut other, material, watch) {
+    if is_to_judge(&other, judging) && judge(&mut other, material, watch) {
         return Err(TriangulateError::Stopped.into());
     }
     // What does not bend is no choice.

@@ -5,7 +5,7 @@
 //! takes. So the largest such angle is looked for with which the strain is within the share: the
 //! angle is halved until it is, then bisected. Each trial moves the curves and judges the panels.
 
-use super::{Judging, MakeError, make_panels};
+use super::{How, MakeError, make_panels};
 use crate::check::strain_not_reached;
 use crate::design::{Design, DesignPanel, Vary, VaryGoal};
 use crate::fair::varied_design;
@@ -55,7 +55,7 @@ impl Wanted {
 /// wanted.
 pub(super) fn aimed_by_angles<'a>(
     design: &'a Design,
-    judging: Judging,
+    how: How,
     watch: &mut dyn Watch,
 ) -> Result<(Cow<'a, Design>, Vec<Wanted>), MakeError> {
     let wanted: Vec<Wanted> = design.vary.iter().filter_map(Wanted::of).collect();
@@ -66,7 +66,7 @@ pub(super) fn aimed_by_angles<'a>(
     for n in 0..aimed.vary.len() {
         if let Some(wanted) = Wanted::of(&aimed.vary[n]) {
             let first = Design { vary: aimed.vary[..n].to_vec(), ..design.clone() };
-            let trials = Trials { first, wanted, judging };
+            let trials = Trials { first, wanted, how };
             let largest = trials.largest_angle(watch)?;
             aimed.vary[n] = trials.wanted.by_angle(largest);
         }
@@ -79,7 +79,7 @@ struct Trials {
     /// The design with what moves first.
     first: Design,
     wanted: Wanted,
-    judging: Judging,
+    how: How,
 }
 
 /// The outcome of a trial.
@@ -140,7 +140,7 @@ impl Trials {
         let after = varied.map_or(design, |varied| varied.after);
         let after = Design { vary: Vec::new(), ..after };
         let is_asked = |panel: &DesignPanel| self.wanted.has(&panel.name);
-        let parts = make_panels(&after, is_asked, self.judging, watch)?;
+        let parts = make_panels(&after, is_asked, self.how, watch)?;
         let largest = |of: fn(&Part) -> f64| parts.iter().map(of).fold(0.0, f64::max);
         Ok(Trial {
             warp: largest(|part| part.measures.warp_max),

@@ -2,10 +2,12 @@
 //! order in which parts are taken changes a bit. Without the feature `rayon`, or where the system
 //! starts no threads, the caller's thread judges them all.
 
-use super::judged::{is_screened, judge};
+use super::Judging;
+use super::judged::{is_to_judge, judge};
 use super::part::Part;
 use crate::material::Material;
 use sheetwright_geometry::watch::Watch;
+use sheetwright_optimum::triangulate::is_on_one_thread;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -13,25 +15,32 @@ use std::thread;
 /// The most threads that help: each takes the memory of a computed sheet.
 const MOST_HELPERS: usize = 15;
 
-/// Judges all parts that a formula has screened. Where it is stopped, the rest stays as it is.
-pub(super) fn judge_all(parts: &mut [Part], material: Option<&Material>, watch: &mut dyn Watch) {
-    let helpers = if cfg!(feature = "rayon") {
+/// Judges all parts that a formula has screened and that want an elastic sheet. Where it is
+/// stopped, the rest stays as it is.
+pub(super) fn judge_all(
+    parts: &mut [Part],
+    judging: Judging,
+    material: Option<&Material>,
+    watch: &mut dyn Watch,
+) {
+    let helpers = if cfg!(feature = "rayon") && !is_on_one_thread() {
         thread::available_parallelism().map_or(0, |threads| threads.get() - 1)
     } else {
         0
     };
-    judge_with(helpers.min(MOST_HELPERS), parts, material, watch);
+    judge_with(helpers.min(MOST_HELPERS), parts, judging, material, watch);
 }
 
 /// Judges them with so many threads beside the one that calls.
 fn judge_with(
     helpers: usize,
     parts: &mut [Part],
+    judging: Judging,
     material: Option<&Material>,
     watch: &mut dyn Watch,
 ) {
-    let count = parts.iter().filter(|part| is_screened(part)).count();
-    let queue = Mutex::new(parts.iter_mut().filter(|part| is_screened(part)));
+    let count = parts.iter().filter(|part| is_to_judge(part, judging)).count();
+    let queue = Mutex::new(parts.iter_mut().filter(|part| is_to_judge(part, judging)));
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let stopped = AtomicBool::new(false);
     let help = || {
@@ -87,7 +96,8 @@ mod tests {
 
     use super::*;
     use crate::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape};
-    use crate::make::{Judging, make_judged};
+    use crate::make::judged::is_screened;
+    use crate::make::make_judged;
     use sheetwright_geometry::curve::{CurveKind, CurvePoint};
     use sheetwright_geometry::math::{Point3, sin};
     use sheetwright_geometry::watch::Unwatched;
@@ -123,7 +133,7 @@ mod tests {
     fn threads_change_no_bit() {
         let judged = |helpers: usize| {
             let mut parts = strips();
-            judge_with(helpers, &mut parts, None, &mut Unwatched);
+            judge_with(helpers, &mut parts, Judging::Exact, None, &mut Unwatched);
             parts
         };
         let alone = judged(0);
@@ -131,6 +141,21 @@ mod tests {
         for helpers in [1, 3, 20] {
             assert_eq!(judged(helpers), alone, "{helpers}");
         }
+    }
+
+    #[test]
+    fn an_elastic_sheet_is_for_parts_near_their_limit() {
+        let mut parts = strips();
+        let is_near = |part: &Part| {
+            let predicted = part.predicted.as_ref().unwrap();
+            let [least, most] = predicted.strain_range;
+            (least..=most).contains(&predicted.limits.strain)
+        };
+        let near: Vec<bool> = parts.iter().map(is_near).collect();
+        assert!(near.contains(&true) && near.contains(&false), "{near:?}");
+        judge_with(0, &mut parts, Judging::Auto, None, &mut Unwatched);
+        let judged: Vec<bool> = parts.iter().map(|part| !is_screened(part)).collect();
+        assert_eq!(judged, near);
     }
 
     /// Stops all work from the start.
@@ -145,7 +170,7 @@ mod tests {
     #[test]
     fn what_is_stopped_stays_screened() {
         let mut parts = strips();
-        judge_with(0, &mut parts, None, &mut Stopped);
+        judge_with(0, &mut parts, Judging::Exact, None, &mut Stopped);
         assert_eq!(parts, strips());
     }
 }

@@ -314,6 +314,8 @@ pub(crate) struct PatternOptions {
     /// Whether it is a net of facets: its folds are told apart, with their angles, and edges have
     /// marks instead of names. Default: it is not.
     pub(crate) is_net: bool,
+    /// Whether it has no texts, where nobody reads it. Default: it has.
+    pub(crate) is_bare: bool,
 }
 
 /// The pattern of one part with these edges. `measures` are those of its surface in space, `marks`
@@ -377,7 +379,10 @@ pub(crate) fn piece_bent(
     let corner = Point2::default();
     let mut piece = Piece { name: name.to_owned(), paths, labels, size, corner, bends, border };
     let (marks, is_net) = (options.bends.marks, options.is_net);
-    piece.label(&Labelled { sheet, flat: &flat.points, edges, joined: &[], marks, is_net }, &[]);
+    if !options.is_bare {
+        let flat = &flat.points;
+        piece.label(&Labelled { sheet, flat, edges, joined: &[], marks, is_net }, &[]);
+    }
     piece
 }
 

@@ -22,7 +22,7 @@ mod plane_check;
 mod rails;
 
 pub use hole_orientation::with_holes_facing;
-pub use optimal::memory_needed;
+pub use optimal::{is_on_one_thread, memory_needed, on_one_thread};
 pub use other::{OtherSurface, WhichSurface, other_surface};
 pub use plane_check::Cheapest;
 pub use plane_check::cheaper_than;

@@ -35,6 +35,7 @@ use crate::rung::Visibility;
 use sheetwright_geometry::watch::Watch;
 
 pub(super) use pruning::{solve_priced, solve_within, warm_start};
+pub use threads::{is_on_one_thread, on_one_thread};
 
 /// Upper bound on the memory of the tables of m samples, bytes: the table of all rungs with folds,
 /// the pairs that see one another, and both again for each thinned loop, a sixteenth of the one

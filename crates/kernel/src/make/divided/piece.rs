@@ -57,7 +57,7 @@ impl Making<'_> {
         };
         let edges = self.edges(cutout, &sheet, &flat.points);
         let is_net = whole.given().is_some_and(|given| given.is_net);
-        let options = PatternOptions { bends: whole.bends, is_net };
+        let options = PatternOptions { bends: whole.bends, is_net, is_bare: false };
         let marks = self.marks(cutout, &origin);
         let mut piece =
             piece_bent(name, &sheet, &flat, &edges, &measures, &marks, (bends, &options));

@@ -4,6 +4,7 @@
 //! that called them, the *leader*, begins at once, so that a late helper costs no time until the
 //! end, where the leader waits for each. Without the feature `rayon` there are none.
 
+use std::cell::Cell;
 #[cfg(feature = "rayon")]
 use std::{
     error::Error,
@@ -25,6 +26,30 @@ const LEAST_COLUMNS: usize = 4;
 #[cfg(feature = "rayon")]
 static CALLED: AtomicUsize = AtomicUsize::new(0);
 
+thread_local! {
+    /// Whether this thread calls no helpers.
+    static IS_ALONE: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Does some work whose triangulations use the thread that calls alone: for callers that do as
+/// much at once as there are cores.
+pub fn on_one_thread<R>(work: impl FnOnce() -> R) -> R {
+    /// What holds for the thread before, set again even after a panic.
+    struct Before(bool);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            IS_ALONE.set(self.0);
+        }
+    }
+    let _before = Before(IS_ALONE.replace(true));
+    work()
+}
+
+/// Whether the thread that calls is within [`on_one_thread`].
+pub fn is_on_one_thread() -> bool {
+    IS_ALONE.get()
+}
+
 /// Threads that are free, besides the one that leads.
 #[cfg(feature = "rayon")]
 pub(super) struct Helpers {
@@ -42,6 +67,9 @@ impl Helpers {
 
     /// Up to so many of the pool, if there are any.
     fn up_to(most: usize) -> Option<Self> {
+        if is_on_one_thread() {
+            return None;
+        }
         let is_outside = rayon::current_thread_index().is_none();
         if !is_outside {
             let count = most.min(rayon::current_num_threads() - 1);
@@ -107,6 +135,13 @@ impl Helpers {
 #[cfg(all(test, feature = "rayon"))]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_thread_that_works_alone_calls_no_helpers() {
+        on_one_thread(|| assert!(Helpers::up_to(8).is_none() && is_on_one_thread()));
+        assert!(std::panic::catch_unwind(|| on_one_thread(|| panic!("stop"))).is_err());
+        assert!(!is_on_one_thread());
+    }
 
     #[test]
     fn no_more_helpers_are_called_than_are_free() {
