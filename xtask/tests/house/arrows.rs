@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// What each crate may depend on inside the workspace.
-const CRATES: [(&str, &[&str]); 8] = [
+const CRATES: [(&str, &[&str]); 9] = [
     ("crates/geometry", &[]),
     ("crates/optimum", &["sheetwright-geometry"]),
     ("crates/kernel", &["sheetwright-geometry", "sheetwright-optimum"]),
@@ -16,11 +16,12 @@ const CRATES: [(&str, &[&str]); 8] = [
     ("crates/files", &["sheetwright"]),
     ("crates/cli", &["sheetwright", "sheetwright-files"]),
     ("crates/editor", &["sheetwright", "sheetwright-files"]),
+    ("crates/python", &["sheetwright", "sheetwright-files"]),
     ("xtask", &["sheetwright", "sheetwright-files", "sheetwright-shapes"]),
 ];
 
 /// Crates that only one crate of ours may name: file formats, the command line, windows.
-const OWNERS: [(&str, &str); 18] = [
+const OWNERS: [(&str, &str); 20] = [
     ("faer", "crates/geometry"),
     ("glam", "crates/geometry"),
     ("libm", "crates/geometry"),
@@ -39,6 +40,8 @@ const OWNERS: [(&str, &str); 18] = [
     ("image", "crates/editor"),
     ("rfd", "crates/editor"),
     ("wasm-bindgen", "crates/editor"),
+    ("numpy", "crates/python"),
+    ("pyo3", "crates/python"),
 ];
 
 /// The crates that compute and nothing else, each above those that it uses.

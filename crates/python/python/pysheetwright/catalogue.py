@@ -1,0 +1,72 @@
+"""What there is to choose from."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from pysheetwright import _native
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Sequence
+
+    from pysheetwright._native import Material
+
+
+def materials() -> dict[str, Material]:
+    """Return the materials of the catalogue, by their names."""
+    return {material.name: material for material in _native.materials()}
+
+
+def templates() -> dict[str, dict[str, Any]]:
+    """Return the templates by their names.
+
+    Each is a dict with its ``title``, ``who`` uses it, and its ``parameters``: name, meaning, kind,
+    default, least and most.
+    """
+    catalogue = json.loads(_native.templates())
+    return {template["name"]: template for template in catalogue["templates"]}
+
+
+def template(
+    name: str,
+    /,
+    *,
+    trade: str | None = None,
+    folder: str | os.PathLike[str] | None = None,
+    **settings: float | str | Sequence[float],
+) -> dict[str, Any]:
+    """Return the design that a template draws, as a dict for :func:`pysheetwright.make`.
+
+    ``settings`` are the parameters of the template, with ``_`` where their names have ``-``:
+    numbers in millimetres or degrees, texts with a unit such as ``"15 3/4in"``, lists of numbers;
+    and ``material`` and ``dimensions``, which every template has. ``trade`` adds what a trade does
+    along edges. A parameter that is a table names a file in ``folder``.
+    """
+    texts = [f"{key.replace('_', '-')}={_text(value)}" for key, value in settings.items()]
+    read: dict[str, Any] = json.loads(_native.template(name, texts, trade, folder))
+    return read
+
+
+def _text(value: float | str | Sequence[float]) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (int, float)):
+        return repr(value)
+    return ", ".join(repr(float(number)) for number in value)
+
+
+def trades() -> dict[str, str]:
+    """Return the trades, each with what it is for."""
+    return dict(_native.trades())
+
+
+def formats() -> dict[str, str]:
+    """Return the formats of files, each with what it is for."""
+    return dict(_native.formats())
+
+
+def presets() -> dict[str, str]:
+    """Return the presets of machines that files are written for, each with what it is for."""
+    return dict(_native.presets())

@@ -1,0 +1,199 @@
+//! Many panels by several threads: a row each, and an error of one is a row too.
+//!
+//! Threads take panels from one queue, so that none waits for a slow neighbour. Each panel is made
+//! by one thread alone, and rows stand in the order of the panels: neither the number of threads
+//! nor their order changes a bit.
+
+use crate::arrays::array_of_points2;
+use crate::failure::Failure;
+use crate::settings::{Keywords, judging, read_options};
+use crate::signals::EVERY;
+use crate::source::{BoundArrays, Bounds};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use sheetwright::Watch;
+use sheetwright::make::{Judging, Part, make_judged};
+use sheetwright::math::{Point2, to_deg};
+use sheetwright_files::ReadOptions;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::Instant;
+
+/// What is told of a panel in a number: the name of its column, as in `report.json`, and its value,
+/// NaN where there is none.
+type Number = (&'static str, fn(&Part) -> f64);
+
+/// What is told of a panel in numbers.
+const NUMBERS: [Number; 11] = [
+    ("area_space_mm2", |part| part.measures.area_space_mm2),
+    ("area_flat_mm2", |part| part.measures.area_flat_mm2),
+    ("flat_width_mm", |part| part.piece.size.x),
+    ("flat_height_mm", |part| part.piece.size.y),
+    ("warp_max_deg", |part| to_deg(part.measures.warp_max)),
+    ("warp_mean_deg", |part| to_deg(part.measures.warp_mean)),
+    ("crease_max_deg", |part| to_deg(part.measures.crease_max)),
+    ("bend_radius_min_mm", |part| part.measures.bend_radius_min_mm),
+    ("strain_p95", |part| part.predicted.as_ref().map_or(f64::NAN, |it| it.strain)),
+    ("length_error_max", |part| part.measures.length_error_max),
+    ("price_total", |part| {
+        part.found().map_or(f64::NAN, |found| found.triangulation.price_without_hints())
+    }),
+];
+
+/// What is told of a panel.
+struct Row {
+    verdict: &'static str,
+    /// The codes of its findings, the worst first.
+    findings: String,
+    numbers: [f64; NUMBERS.len()],
+    outline: Vec<Point2>,
+    /// Why there is no more to tell; empty where all is well.
+    error: String,
+    hint: String,
+}
+
+impl Row {
+    fn of(part: &Part, has_outline: bool) -> Self {
+        let codes: Vec<&str> = part.checked.findings.iter().map(|finding| finding.code()).collect();
+        let outline = part.piece.loops().next().filter(|_| has_outline);
+        Self {
+            verdict: part.checked.verdict.name(),
+            findings: codes.join(" "),
+            numbers: NUMBERS.map(|(_, number)| number(part)),
+            outline: outline.map(<[Point2]>::to_vec).unwrap_or_default(),
+            error: String::new(),
+            hint: String::new(),
+        }
+    }
+
+    fn failed(failure: Failure) -> Self {
+        Self {
+            verdict: "",
+            findings: String::new(),
+            numbers: [f64::NAN; NUMBERS.len()],
+            outline: Vec::new(),
+            error: failure.message,
+            hint: failure.hint,
+        }
+    }
+}
+
+/// How panels are made.
+struct Job {
+    options: ReadOptions,
+    judging: Judging,
+    has_outline: bool,
+}
+
+impl Job {
+    fn row(&self, bounds: Result<Bounds, Failure>, watch: &mut dyn Watch) -> Row {
+        let made = bounds.and_then(|bounds| {
+            let design = bounds.design("panel", &self.options)?;
+            let made = make_judged(&design, self.judging, watch);
+            made.map_err(|error| Failure::of_make(&error, &design))
+        });
+        match made {
+            Ok(made) => match &made.parts[..] {
+                [part] => Row::of(part, self.has_outline),
+                parts => Row::failed(Failure::new(
+                    format!("the panel becomes {} parts", parts.len()),
+                    "Make it alone, and look at its parts.",
+                )),
+            },
+            Err(failure) => Row::failed(failure),
+        }
+    }
+}
+
+/// The watch of a thread: it stops where the call is given up.
+struct GivenUp<'a>(&'a AtomicBool);
+
+impl Watch for GivenUp<'_> {
+    fn stop(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Makes many panels, and returns columns.
+#[pyfunction]
+pub(crate) fn solve_many<'py>(
+    py: Python<'py>,
+    panels: Vec<BoundArrays<'py>>,
+    threads: usize,
+    has_outline: bool,
+    settings: Keywords<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let job = Job { options: read_options(&settings)?, judging: judging(&settings)?, has_outline };
+    let bounds: Vec<_> = panels.iter().map(BoundArrays::copied).collect();
+    drop(panels);
+    let threads = match threads {
+        0 => thread::available_parallelism().map_or(1, usize::from),
+        some => some,
+    };
+    let rows = py.detach(|| rows(&job, bounds, threads))?;
+    columns(py, &rows, has_outline)
+}
+
+/// The rows of all panels, in their order.
+fn rows(job: &Job, bounds: Vec<Result<Bounds, Failure>>, threads: usize) -> PyResult<Vec<Row>> {
+    let count = bounds.len();
+    let queue = Mutex::new(bounds.into_iter().enumerate());
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let given_up = AtomicBool::new(false);
+    let (done, arriving) = channel();
+    let work = |done: Sender<(usize, Row)>| {
+        let mut watch = GivenUp(&given_up);
+        while let Some((number, bounds)) = next().filter(|_| !watch.stop()) {
+            // The other end is there until all are done.
+            let _ = done.send((number, job.row(bounds, &mut watch)));
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..threads.min(count) {
+            let done = done.clone();
+            scope.spawn(|| work(done));
+        }
+        drop(done);
+        let collected = collected(count, &arriving);
+        given_up.store(true, Ordering::Relaxed);
+        collected
+    })
+}
+
+/// The rows as they arrive; between them the interpreter is asked for signals.
+fn collected(count: usize, arriving: &Receiver<(usize, Row)>) -> PyResult<Vec<Row>> {
+    let mut rows: Vec<Option<Row>> = (0..count).map(|_| None).collect();
+    let mut asked = Instant::now();
+    loop {
+        match arriving.recv_timeout(EVERY) {
+            Ok((number, row)) => rows[number] = Some(row),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => break,
+        }
+        if asked.elapsed() >= EVERY {
+            Python::attach(|py| py.check_signals())?;
+            asked = Instant::now();
+        }
+    }
+    Ok(rows.into_iter().flatten().collect())
+}
+
+fn columns<'py>(py: Python<'py>, rows: &[Row], has_outline: bool) -> PyResult<Bound<'py, PyDict>> {
+    let columns = PyDict::new(py);
+    let texts = |text: fn(&Row) -> &str| PyList::new(py, rows.iter().map(text));
+    columns.set_item("verdict", texts(|row| row.verdict)?)?;
+    columns.set_item("findings", texts(|row| &row.findings)?)?;
+    for (n, (name, _)) in NUMBERS.iter().enumerate() {
+        columns.set_item(name, PyArray1::from_iter(py, rows.iter().map(|row| row.numbers[n])))?;
+    }
+    if has_outline {
+        let outlines = rows.iter().map(|row| array_of_points2(py, &row.outline));
+        columns.set_item("outline", outlines.collect::<PyResult<Vec<_>>>()?)?;
+    }
+    columns.set_item("error", texts(|row| &row.error)?)?;
+    columns.set_item("hint", texts(|row| &row.hint)?)?;
+    Ok(columns)
+}
