@@ -1,4 +1,4 @@
-//! The Python package `pysheetwright`, as far as it is Rust: NumPy arrays to kernel values and back.
+//! The Rust half of the Python package `pysheetwright`: NumPy arrays to kernel values and back.
 //!
 //! Nothing is computed here that the command would not compute: whatever a caller hands over
 //! becomes the bytes of a design, of a curve table or of a mesh (`source`), which

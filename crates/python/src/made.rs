@@ -61,7 +61,8 @@ pub(crate) fn make_bytes(
     settings: Keywords<'_>,
 ) -> PyResult<Made> {
     let options = read_options(&settings)?;
-    let design = design_of_bytes(data, format, name, folder.as_deref(), &options)?;
+    let read = || design_of_bytes(data, format, name, folder.as_deref(), &options);
+    let design = py.detach(read)?;
     made(py, design, judging(&settings)?)
 }
 
@@ -73,7 +74,8 @@ pub(crate) fn make_points(
     name: &str,
     settings: Keywords<'_>,
 ) -> PyResult<Made> {
-    let design = bounds.copied()?.design(name, &read_options(&settings)?)?;
+    let (bounds, options) = (bounds.copied()?, read_options(&settings)?);
+    let design = py.detach(|| bounds.design(name, &options))?;
     made(py, design, judging(&settings)?)
 }
 
@@ -88,7 +90,8 @@ pub(crate) fn make_mesh(
 ) -> PyResult<Made> {
     let vertices = points3(&vertices, "vertices")?;
     let faces = triangles(&faces, vertices.len())?;
-    let design = design_of_mesh(&vertices, &faces, name, &read_options(&settings)?)?;
+    let options = read_options(&settings)?;
+    let design = py.detach(|| design_of_mesh(&vertices, &faces, name, &options))?;
     made(py, design, judging(&settings)?)
 }
 
