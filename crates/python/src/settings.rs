@@ -86,6 +86,7 @@ pub(crate) fn read_options(given: &Keywords<'_>) -> PyResult<ReadOptions> {
     let methods = [PanelMethod::Optimal, PanelMethod::Bridge, PanelMethod::Rails];
     let sides = [("cheapest", WhichSurface::Cheapest), ("other", WhichSurface::Other)];
     Ok(ReadOptions {
+        second_table: None,
         samples: given.get("samples")?,
         tolerance_mm: given.get("tolerance")?,
         fold: given.get("fold")?,

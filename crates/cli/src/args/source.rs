@@ -214,6 +214,7 @@ impl SourceArgs {
 
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {
+            second_table: None,
             samples: self.samples,
             tolerance_mm: self.tolerance,
             fold: self.fold,

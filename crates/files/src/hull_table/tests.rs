@@ -343,7 +343,8 @@ fn random_hulls_come_back_within_the_notation() {
 
 #[test]
 fn heights_and_half_breadths_may_be_two_files() {
-    let table = |quantity: &str, rows: &str| format!("Offsets in mm\n{quantity}Station,0,900,1800\n{rows}");
+    let table =
+        |quantity: &str, rows: &str| format!("Offsets in mm\n{quantity}Station,0,900,1800\n{rows}");
     let heights = "Sheer,500,480,510\nKeel,0,-20,30\n";
     let breadths = "Sheer,400,420,300\nKeel,0,0,0\n";
     let units = GivenUnits::default();
