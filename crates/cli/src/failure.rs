@@ -104,5 +104,16 @@ pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
 }
 
 /// The endings of inputs, as the hints have them.
-pub(crate) const INPUT_ENDINGS: [&str; 10] =
-    [".sheet.json", ".csv", ".xlsx", ".ods", ".svg", ".dxf", ".obj", ".stl", ".ply", ".glb"];
+pub(crate) const INPUT_ENDINGS: [&str; 11] = [
+    ".sheet.json",
+    ".csv",
+    ".tsv",
+    ".xlsx",
+    ".ods",
+    ".svg",
+    ".dxf",
+    ".obj",
+    ".stl",
+    ".ply",
+    ".glb",
+];

@@ -361,7 +361,7 @@ pub fn stem(name: &str) -> String {
     }
     let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
     let lower = file.to_lowercase();
-    const ENDINGS: [&str; 13] = [
+    const ENDINGS: [&str; 15] = [
         ".sheet.json",
         ".json",
         ".csv",
@@ -375,6 +375,8 @@ pub fn stem(name: &str) -> String {
         ".stl",
         ".ply",
         ".glb",
+        ".jsonl",
+        ".ndjson",
     ];
     let ending = ENDINGS.into_iter().find(|e| lower.ends_with(e));
     // Lower case may change the length of other characters, never that of an ASCII ending.

@@ -73,10 +73,15 @@ pub fn read_table(text: &str, name: &str, units: Units) -> Result<Vec<TableCurve
     }
     let curves = columns.curves(&mut rows, text, (place, 0), units)?;
     if curves.is_empty() {
-        let hint = "Add one row for each point, in the order of the curve.";
-        return Err(InputError::at(place, "the table has no rows below its header", hint));
+        return Err(no_rows(place));
     }
     Ok(curves)
+}
+
+/// The refusal of a table without rows.
+pub(crate) fn no_rows(place: &str) -> InputError {
+    let hint = "Add one row for each point, in the order of the curve.";
+    InputError::at(place, "the table has no rows below its header", hint)
 }
 
 fn reader(text: &str, separator: u8) -> csv::Reader<&[u8]> {

@@ -24,7 +24,7 @@ pub(super) struct Limits {
     pub(super) items: usize,
     /// The most bytes of those, unless one item has more.
     pub(super) bytes: usize,
-    /// How often the one that takes hears that time has passed, if nothing comes.
+    /// The longest time between two calls of `take(None)`, about.
     pub(super) every: Duration,
 }
 
@@ -44,6 +44,8 @@ pub(super) fn in_order<T: Send, R: Send>(
     let (done, outcomes) = channel();
     let queue = Mutex::new(queue);
     thread::scope(|scope| {
+        // However this ends, the reader does not wait at the gate.
+        let _stops = Stops(&gate);
         let reader = Reader { gate: &gate, size, to_workers, done: done.clone() };
         spawn(scope, || reader.read(items))?;
         let help = |done: Sender<Outcome<R>>| {
@@ -59,10 +61,8 @@ pub(super) fn in_order<T: Send, R: Send>(
             }
         }
         drop(done);
-        let taken = take_in_order(&outcomes, &gate, limits.every, &mut take);
         // Whatever is left to do after an error, is left.
-        gate.stop();
-        taken
+        take_in_order(&outcomes, &gate, limits.every, &mut take)
     })
 }
 
@@ -146,6 +146,15 @@ fn take_in_order<R>(
             take(None)?;
             heard = Instant::now();
         }
+    }
+}
+
+/// Stops a gate at the end of a scope.
+struct Stops<'a>(&'a Gate);
+
+impl Drop for Stops<'_> {
+    fn drop(&mut self) {
+        self.0.stop();
     }
 }
 

@@ -136,6 +136,10 @@ impl Items {
 
     /// Opens an input; an item, if it is one by itself.
     fn open(&mut self, path: PathBuf) -> Option<Item> {
+        // Where a shell names all files, the table is among them.
+        if path.canonicalize().is_ok_and(|path| Some(path) == self.table) {
+            return None;
+        }
         let name = path.display().to_string();
         let lower = name.to_lowercase();
         let opened = if name == "-" {
@@ -198,8 +202,7 @@ impl Items {
         let is_input = |path: &PathBuf| {
             let name = path.display().to_string().to_lowercase();
             let mut endings = INPUT_ENDINGS.iter().chain(&LINES);
-            let is_table = || path.canonicalize().ok().is_some_and(|p| Some(p) == self.table);
-            endings.any(|ending| name.ends_with(ending)) && path.is_file() && !is_table()
+            endings.any(|ending| name.ends_with(ending)) && path.is_file()
         };
         let paths = entries.flatten().map(|entry| entry.path());
         let mut paths: Vec<PathBuf> = paths.filter(is_input).collect();

@@ -4,9 +4,9 @@ use super::earlier::{self, Earlier, Reach};
 use super::work::Done;
 use crate::args::BatchArgs;
 use crate::failure::Failure;
+use crate::voice::print_as_it_is;
 use sheetwright_files::whole::Growing;
 use sheetwright_files::{BatchCount, TableForm, TableRows};
-use std::io::{self, Write as _};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -81,7 +81,7 @@ impl Table {
             self.go_on(&done)?;
             self.waiting.extend(done.rows);
             self.count.join(&done.count);
-        } else if self.is_empty {
+        } else if self.count.rows() == 0 {
             // The header comes with the first row.
             return Ok(());
         }
@@ -117,13 +117,7 @@ impl Table {
         }
         match &mut self.file {
             Some(file) => file.add(&self.waiting)?,
-            None => {
-                let mut out = io::stdout().lock();
-                out.write_all(&self.waiting).and_then(|()| out.flush()).map_err(|error| {
-                    let message = format!("standard output can't be written: {error}");
-                    Failure::new(message, "Check where standard output leads to.")
-                })?;
-            }
+            None => print_as_it_is(&self.waiting)?,
         }
         self.waiting.clear();
         self.is_empty = false;

@@ -30,8 +30,8 @@ pub(super) struct Jobs {
     long: Option<Long>,
     /// The version of the document whose points are being moved.
     varied_version: u64,
-    /// The export whose files are awaited.
-    export: Option<u64>,
+    /// The exports whose files are awaited.
+    exports: Vec<u64>,
 }
 
 #[derive(Clone, Copy)]
@@ -71,7 +71,7 @@ impl Jobs {
             seen_version: None,
             long: None,
             varied_version: 0,
-            export: None,
+            exports: Vec::new(),
         }
     }
 
@@ -85,10 +85,10 @@ impl Jobs {
     }
 
     pub(super) fn stop(&mut self) {
-        self.engine.stop();
+        let goes_on = self.engine.stop();
         // An export goes on with the layout that there is.
-        let is_export = |long: &Long| Some(long.number) == self.export;
-        match self.long.as_mut().filter(|long| is_export(long)) {
+        let is_export = |long: &Long| self.exports.contains(&long.number);
+        match self.long.as_mut().filter(|long| goes_on && is_export(long)) {
             Some(long) if long.stage == Some(Stage::Nest) => {
                 "Writing files with the layout so far".clone_into(&mut long.text);
             }
@@ -101,7 +101,7 @@ impl Jobs {
     pub(super) fn forget(&mut self) {
         self.engine.stop_all();
         self.long = None;
-        self.export = None;
+        self.exports.clear();
         self.asked = Default::default();
     }
 
@@ -157,7 +157,7 @@ impl Jobs {
 
     pub(super) fn export(&mut self, design: Design, formats: Vec<Format>) {
         let number = self.number();
-        self.export = Some(number);
+        self.exports.push(number);
         self.begin(number, false, "Writing files");
         self.engine.ask(Job::Export { number, design: Arc::new(design), formats });
     }
@@ -199,9 +199,10 @@ impl Editor {
                 }
                 Answer::Files { number, outcome } => {
                     self.jobs.end(number);
-                    if self.jobs.export.take_if(|export| *export == number).is_none() {
+                    let Some(n) = self.jobs.exports.iter().position(|it| *it == number) else {
                         continue;
-                    }
+                    };
+                    self.jobs.exports.remove(n);
                     match outcome {
                         Ok(files) => self.wishes.push(super::FileWish::Export(files)),
                         Err(refusal) => {

@@ -42,9 +42,10 @@ impl Engine {
     }
 
     /// Stops what takes long, and drops what waits for it. An export that lays parts out goes on
-    /// with the best layout so far.
-    pub fn stop(&mut self) {
+    /// with the best layout so far; returns whether one may go on.
+    pub fn stop(&mut self) -> bool {
         self.slow.stop();
+        true
     }
 
     /// Stops everything, for another document.

@@ -58,9 +58,9 @@ impl Engine {
     }
 
     /// Stops what takes long, and drops what waits for it. An export that lays parts out goes on
-    /// with the least effort.
-    pub fn stop(&mut self) {
-        self.slow.stop();
+    /// with the least effort; returns whether one does.
+    pub fn stop(&mut self) -> bool {
+        self.slow.stop()
     }
 
     /// Stops everything, for another document.
@@ -201,16 +201,18 @@ impl Desk {
     }
 
     /// Stops what is at work. A layout can't be had of a worker that is ended: another makes it
-    /// with the least effort.
-    fn stop(&self) {
+    /// with the least effort. Returns whether it does.
+    fn stop(&self) -> bool {
         let cut_short = {
             let mut tray = self.0.borrow_mut();
             tray.jobs.clear();
-            let Some((job, _)) = &tray.at_work else { return };
+            let Some((job, _)) = &tray.at_work else { return false };
             job.cut_short(tray.stage)
         };
+        let goes_on = cut_short.is_some();
         self.0.borrow_mut().jobs.extend(cut_short);
         self.hire();
+        goes_on
     }
 
     /// Ends what is at work, whatever it is.

@@ -113,6 +113,8 @@ fn name_in(text: &[u8]) -> Option<String> {
     struct NameOnly {
         name: String,
     }
+    // Programs of Windows put a mark before a text.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     serde_json::from_slice::<NameOnly>(text).ok().map(|only| only.name)
 }
 
@@ -121,6 +123,11 @@ mod tests {
     #![allow(clippy::unwrap_used)] // tests panic
 
     use super::*;
+
+    #[test]
+    fn a_mark_before_the_text_takes_no_name_away() {
+        assert_eq!(name_in(b"\xef\xbb\xbf{\"name\": \"a\"}").as_deref(), Some("a"));
+    }
 
     #[test]
     fn each_line_is_a_design_or_an_error_of_its_own() {

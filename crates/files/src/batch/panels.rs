@@ -10,10 +10,11 @@ use crate::input::{InputFormat, check_options, settle};
 use crate::linework::says_rail;
 use crate::names::shown;
 use crate::reading::{
-    InputError, ReadOptions, display_name, io_error, stem, text_of, without_utf16,
+    InputError, ReadOptions, display_name, io_error, refuse_large, stem, text_of, without_utf16,
 };
 use crate::table::{
-    Columns, MAX_ROWS, TableCurve, design_of_loops, design_of_rails, is_curve_table, too_many_rows,
+    Columns, MAX_ROWS, TableCurve, design_of_loops, design_of_rails, is_curve_table, no_rows,
+    too_many_rows,
 };
 use sheetwright::design::Design;
 use std::collections::BTreeMap;
@@ -77,6 +78,13 @@ impl TablePanel {
         Ok(design)
     }
 
+    /// Refuses rows of more bytes than an input may have, and frees them.
+    fn limit(&mut self) {
+        if let Err(error) = refuse_large(&self.rows, &self.table) {
+            (self.fault, self.rows) = (Some(error), Vec::new());
+        }
+    }
+
     fn looped(
         &self,
         curves: &[TableCurve],
@@ -129,6 +137,9 @@ impl<R: BufRead> TablePanels<R> {
             }
         }
         let place = format!("{table}:{}", lines.number);
+        if header.trim_ascii_end().contains(&b'\r') {
+            return Err(lone_returns(&place));
+        }
         let columns = Columns::of_line(text_of(&header, name)?, &place)?;
         Ok(Self {
             lines,
@@ -172,6 +183,9 @@ impl<R: BufRead> TablePanels<R> {
             let line = match read.inspect_err(|_| self.is_at_end = true)? {
                 Line::End => {
                     self.is_at_end = true;
+                    if panel.is_none() && self.begun.is_empty() {
+                        return Err(no_rows(&self.table));
+                    }
                     break;
                 }
                 line => line,
@@ -186,8 +200,9 @@ impl<R: BufRead> TablePanels<R> {
             }
             if row.trim_ascii().is_empty() {
                 // Lines within a panel keep their numbers.
-                if let Some(panel) = &mut panel {
+                if let Some(panel) = panel.as_mut().filter(|panel| panel.fault.is_none()) {
                     panel.rows.push(b'\n');
+                    panel.limit();
                 }
                 continue;
             }
@@ -209,9 +224,13 @@ impl<R: BufRead> TablePanels<R> {
                 let place = format!("{}:{number}", self.table);
                 panel.fault.get_or_insert(too_many_rows(&place));
                 panel.rows = Vec::new();
+            } else if panel.fault.is_none() && row.trim_ascii_end().contains(&b'\r') {
+                panel.fault = Some(lone_returns(&format!("{}:{number}", self.table)));
+                panel.rows = Vec::new();
             } else if panel.fault.is_none() {
                 panel.rows.extend(&row);
                 panel.rows.push(b'\n');
+                panel.limit();
             }
         }
         Ok(panel)
@@ -234,6 +253,11 @@ pub fn holds_panels(beginning: &[u8], name: &str) -> bool {
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let is_csv = name == "-" || name.to_lowercase().ends_with(".csv");
     is_curve_table(text) || is_csv && !is_hull_table(text)
+}
+
+fn lone_returns(place: &str) -> InputError {
+    let hint = "Save it as CSV UTF-8, whose lines end otherwise.";
+    InputError::at(place, "lines end in carriage returns alone", hint)
 }
 
 fn too_long(place: &str) -> InputError {
@@ -296,6 +320,19 @@ mod tests {
     fn a_table_without_names_is_one_panel() {
         let panels = panels("x,y,z\n0,0,0\n1,0,0\n1,1,0\n");
         assert_eq!((panels.len(), &panels[0].name[..]), (1, "t"));
+    }
+
+    #[test]
+    fn a_table_without_panels_and_lines_with_returns_alone_are_refused() {
+        let mut none = TablePanels::new(&b"x,y,z\n\n"[..], "t.csv").unwrap();
+        let error = none.next().unwrap().unwrap_err();
+        assert_eq!(error.to_string(), "t.csv: the table has no rows below its header");
+        assert!(none.next().is_none());
+        let error = TablePanels::new(&b"x,y,z\r0,0,0\r9,0,0\r"[..], "t.csv").unwrap_err();
+        assert_eq!(error.to_string(), "t.csv:1: lines end in carriage returns alone");
+        let panels = panels("curve,x,y,z\na,0,0,0\rb,1,1,1\nc,0,0,0\nc,1,0,0\nc,1,1,0\n");
+        assert_eq!(refused(&panels[0]), "t.csv:2: lines end in carriage returns alone");
+        assert!(panels[1].design(&ReadOptions::default()).is_ok());
     }
 
     #[test]

@@ -30,44 +30,64 @@ pub(super) struct Twins {
     pub(super) common: Option<Vec<Shared>>,
 }
 
+/// Steps of a polyline that are looked at together.
+const BLOCK: usize = 32;
+
 struct Course<'a> {
     line: Line<'a>,
     low: Point3,
     high: Point3,
+    /// The boxes around its steps, so many at a time.
+    blocks: Vec<[Point3; 2]>,
     /// The largest distance of its chords from its curve, mm, estimated.
     off_mm: f64,
 }
 
 impl<'a> Course<'a> {
     fn new((points, is_loop): (&'a [Point3], bool)) -> Self {
-        let [low, high] = [f64::min, f64::max].map(|of| {
-            let both = |a: Point3, b: Point3| Point3::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z));
-            points.iter().copied().reduce(both).unwrap_or_default()
-        });
+        let [low, high] = around(points);
+        // A block has the point that the next one begins with.
+        let count = points.len().saturating_sub(1);
+        let blocks = (0..count).step_by(BLOCK);
+        let blocks = blocks.map(|from| around(&points[from..=(from + BLOCK).min(count)])).collect();
         let off_mm = points.windows(3).filter_map(|three| {
             let [a, b] = [three[1] - three[0], three[2] - three[1]];
             let is_smooth = unit(a)?.dot(unit(b)?) > CORNER_COS;
             is_smooth.then(|| 0.25 * three[1].distance_to_segment([three[0], three[2]]))
         });
         let off_mm = off_mm.fold(0.0, f64::max);
-        Self { line: Line::new(points, is_loop), low, high, off_mm }
+        Self { line: Line::new(points, is_loop), low, high, blocks, off_mm }
     }
 
     /// Whether a point lies near to it.
     fn has_near(&self, p: Point3, within_mm: f64) -> bool {
         let is_between =
             |at: f64, low: f64, high: f64| low - within_mm <= at && at <= high + within_mm;
-        let is_in_box = is_between(p.x, self.low.x, self.high.x)
-            && is_between(p.y, self.low.y, self.high.y)
-            && is_between(p.z, self.low.z, self.high.z);
-        let mut steps = self.line.points.windows(2);
-        is_in_box && steps.any(|step| p.distance_to_segment([step[0], step[1]]) <= within_mm)
+        let is_in = |[low, high]: [Point3; 2]| {
+            is_between(p.x, low.x, high.x)
+                && is_between(p.y, low.y, high.y)
+                && is_between(p.z, low.z, high.z)
+        };
+        let points = self.line.points;
+        is_in([self.low, self.high])
+            && self.blocks.iter().enumerate().filter(|(_, block)| is_in(**block)).any(|(n, _)| {
+                let steps = points[n * BLOCK..].windows(2).take(BLOCK);
+                steps.into_iter().any(|s| p.distance_to_segment([s[0], s[1]]) <= within_mm)
+            })
     }
 
     /// Which of its points lie near to another.
     fn near(&self, other: &Self, within_mm: f64) -> Vec<bool> {
         self.line.points.iter().map(|&p| other.has_near(p, within_mm)).collect()
     }
+}
+
+/// The least and the greatest coordinates of some points.
+fn around(points: &[Point3]) -> [Point3; 2] {
+    [f64::min, f64::max].map(|of| {
+        let both = |a: Point3, b: Point3| Point3::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z));
+        points.iter().copied().reduce(both).unwrap_or_default()
+    })
 }
 
 /// The pairs of polylines that lie on one another, up to `least_mm` and how far chords lie from
@@ -146,10 +166,24 @@ fn stretches(
     };
     let is_common = |shared: &Shared| {
         let [own, other] = [shared.first, shared.second].map(|[from, to]| (to - from).abs());
-        own >= least_mm && (own - other).abs() <= SAME_LENGTH * own
+        own >= least_mm
+            && (own - other).abs() <= SAME_LENGTH * own
+            && !strays([a, b], shared, within_mm)
     };
     let found = runs.map(stretch).filter(is_common);
     found.flat_map(|shared| parted(shared, &a.line, &b.line)).collect()
+}
+
+/// Whether the second polyline leaves the first between the ends of a stretch, as an arc leaves its
+/// chord: the first may have no point between. Where curves part, the ends are not exact.
+fn strays([a, b]: [&Course<'_>; 2], stretch: &Shared, within_mm: f64) -> bool {
+    let [from, to] = stretch.second;
+    let (low, high) = (from.min(to), from.max(to));
+    let turn = if b.line.is_closed { b.line.length() } else { 0.0 };
+    let is_between =
+        |at: f64| (-2..=2).map(|n| at + f64::from(n) * turn).any(|at| low < at && at < high);
+    let mut points = b.line.lengths.iter().zip(b.line.points);
+    points.any(|(&at, &p)| is_between(at) && !a.has_near(p, 2.0 * within_mm))
 }
 
 #[cfg(test)]
@@ -182,14 +216,14 @@ mod tests {
     #[test]
     fn a_part_of_a_ring_is_a_stretch_of_it() {
         let [ring, other] = [ring(60, 0.0, 0.0), ring(47, 1.0, 0.0)];
-        let (half, whole) = (&ring[..31], ring.len() as f64 / 2.0);
+        let half = &ring[..31];
         let found = of(&[half, &other]);
         assert_eq!(found.len(), 1);
         let length_mm = PI * 100.0;
         // The other one begins at an angle of 1, on the half: the stretch is parted there.
         let stretches = found[0].1.clone().unwrap();
         let lengths: Vec<f64> = stretches.iter().map(|s| s.first[1] - s.first[0]).collect();
-        assert_eq!(lengths.len(), 2, "{lengths:?} of {whole}");
+        assert_eq!(lengths.len(), 2, "{lengths:?}");
         assert!((lengths[0] - 100.0).abs() < 0.5, "{lengths:?}");
         assert!((lengths[0] + lengths[1] - length_mm).abs() < 0.5, "{lengths:?}");
         // Two arcs that begin and end at other places have what lies between in common.
@@ -211,6 +245,17 @@ mod tests {
         let along = |from: f64, to: f64| [from, to].map(|x| Point3::new(x, 0.0, 0.0));
         let found = of(&[&along(0.0, 10.0), &along(16.0, 6.0)]);
         assert_eq!(found[0].1, Some(vec![Shared { first: [6.0, 10.0], second: [10.0, 6.0] }]));
+    }
+
+    #[test]
+    fn an_arc_and_its_chord_have_nothing_in_common() {
+        let chord = [0.0, 1000.0].map(|x| Point3::new(x, 0.0, 0.0));
+        let arc: Vec<Point3> = (0..=199)
+            .map(|n| f64::from(n) / 199.0)
+            .map(|t| Point3::new(1000.0 * t, 320.0 * t * (1.0 - t), 0.0))
+            .collect();
+        assert!(of(&[&chord, &arc]).is_empty());
+        assert!(of(&[&arc, &chord]).is_empty());
     }
 
     #[test]

@@ -104,10 +104,16 @@ mod tests {
 
     /// Seven strips side by side between rails that wave more and more.
     fn strips() -> Vec<Part> {
+        waving(1.0)
+    }
+
+    /// Strips that wave so many times as much.
+    fn waving(times: f64) -> Vec<Part> {
         let rail = |n: usize| {
             let at = |i: usize| {
                 let x = 50.0 * i as f64;
-                Point3::new(x, 100.0 * n as f64, 3.0 * n as f64 * sin(0.02 * x + 0.1 * n as f64))
+                let high = 3.0 * times * n as f64;
+                Point3::new(x, 100.0 * n as f64, high * sin(0.02 * x + 0.1 * n as f64))
             };
             (0..12).map(|i| CurvePoint::smooth(at(i))).collect()
         };
@@ -145,7 +151,7 @@ mod tests {
 
     #[test]
     fn an_elastic_sheet_is_for_parts_near_their_limit() {
-        let mut parts = strips();
+        let mut parts = [0.1, 0.3, 1.0, 3.0].map(waving).concat();
         let is_near = |part: &Part| {
             let predicted = part.predicted.as_ref().unwrap();
             let [least, most] = predicted.strain_range;

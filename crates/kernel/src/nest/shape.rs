@@ -38,8 +38,8 @@ pub(super) enum Trueness {
     Coarse(f64),
     /// With all its corners.
     Fine,
-    /// And in no larger box than the part needs. Tips of grown corners reach beyond that: a part
-    /// as large as its sheet has no room for them.
+    /// With all its corners, in the box of the part grown by the distance. Tips of grown corners
+    /// reach beyond that: a part as large as its sheet has no room for them.
     Boxed,
 }
 

@@ -14,6 +14,8 @@ use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
 /// A step along the edge, as a share of the height of the text.
 const STEP: f64 = 0.5;
+/// More ticks than this leave no room beside one another: their numbers stay where they are.
+const MOST_FEET: usize = 2_000;
 /// So many steps are tried ahead, and as many back.
 const STEPS: u16 = 24;
 
@@ -36,6 +38,7 @@ pub(super) fn settle(
         .flat_map(|kind| ticks(paths, kind))
         .map(|[foot, _]| foot)
         .collect();
+    let is_roomy = feet.len() <= MOST_FEET;
     for label in labels.iter_mut().filter(|label| is_settled(label.kind)) {
         let foot = match label.kind {
             LabelKind::Mark => seams.next().map(|[foot, inside]| {
@@ -43,13 +46,14 @@ pub(super) fn settle(
                 (label.at, label.along) = beside(&label.text, label.height_mm, foot, inside);
                 foot
             }),
+            _ if !is_roomy => None,
             _ => {
                 let ahead_mm = ahead_of_tick_mm(&label.text, label.height_mm);
                 numbered_tick(label, label.at + label.along * -ahead_mm, paths)
             }
         };
         // A text without a tick, such as the angle of a flange, is that of a whole line.
-        if let Some(foot) = foot {
+        if let Some(foot) = foot.filter(|_| is_roomy) {
             *label = free(label, foot, net, &feet, placer);
         }
         placer.keep(label);

@@ -84,7 +84,10 @@ impl Work<'_> {
     /// The places on both edges of a pair at a share of what they have in common.
     fn spots(&self, pair: &Pair, share: f64) -> Vec<(EdgePlace, f64, Spot)> {
         let lengths = Self::lengths_at(pair, share);
-        let spot = |(place, along): (EdgePlace, f64)| (place, along, self.stretch(place).at(along));
+        let spot = |(place, along): (EdgePlace, f64)| {
+            let along = self.stretch(place).within(along);
+            (place, along, self.stretch(place).at(along))
+        };
         pair.places().zip(lengths).map(spot).collect()
     }
 
@@ -217,7 +220,10 @@ impl Work<'_> {
                 match &trim.kind {
                     TrimKind::Holes(holes) => {
                         self.check_holes(&pair, holes)?;
-                        let is_loop = to - from == 1.0 && self.stretch(pair.first).is_loop();
+                        // A loop of which a stretch alone is joined has holes at both its ends.
+                        let edge = self.stretch(pair.first);
+                        let is_whole = length >= edge.length() * (1.0 - 1e-9);
+                        let is_loop = to - from == 1.0 && edge.is_loop() && is_whole;
                         self.add_holes(&pair, &within(of_holes(holes, length, is_loop)), holes);
                     }
                     TrimKind::Notches(notches) => {

@@ -57,7 +57,7 @@ impl Stretch {
     }
 
     /// Its ends are gone over where it is closed, and kept to where it is open.
-    fn within(&self, along: f64) -> f64 {
+    pub(super) fn within(&self, along: f64) -> f64 {
         let whole = self.length();
         if !self.is_loop || (0.0..=whole).contains(&along) {
             along
@@ -89,7 +89,8 @@ impl Stretch {
     pub(super) fn part(&self, [from, to]: [f64; 2]) -> Vec<Point2> {
         let whole = self.length();
         let mut line = vec![self.at(from).at];
-        for round in 0..=i32::from(self.is_loop) {
+        let rounds = i32::from(self.is_loop);
+        for round in -rounds..=rounds {
             let before = f64::from(round) * whole;
             let inner = self.lengths.iter().zip(&self.points);
             let inner = inner.filter(|&(&along, _)| from < along + before && along + before < to);
