@@ -5,7 +5,7 @@ use super::canvas::{Anchor, PathData, Picture, WIDTH, text};
 use crate::words::division_sentence;
 use maud::{Markup, PreEscaped, html};
 use sheetwright::make::{DividedPart, Made};
-use sheetwright::math::Point2;
+use sheetwright::math::{Point2, Vec2};
 use sheetwright::predicate::Box2;
 
 /// The most parts with a picture.
@@ -58,15 +58,25 @@ fn picture(part: &DividedPart) -> Picture {
     loops().for_each(|line| lines.ring(line.iter().map(place)));
     let mut body = lines.element("sheet") + &lines.element("cut thin");
     for (n, (name, loops)) in part.pieces.iter().enumerate() {
-        let Some(around) = loops.first().and_then(|line| Box2::of_points(line.iter().copied()))
-        else {
-            continue;
-        };
-        let at = place(&around.min.lerp(around.max, 0.5));
+        let Some(outline) = loops.first() else { continue };
+        let Some(around) = Box2::of_points(outline.iter().copied()) else { continue };
+        let at = place(&centroid(outline));
         let room = scale * (around.max.x - around.min.x);
         let wide = LETTER * LETTERS * name.chars().count() as f64;
         let name = if wide <= room { name.clone() } else { (n + 1).to_string() };
         body += &text("", Anchor::Middle, Point2::new(at.x, at.y + 0.35 * LETTERS), &name);
     }
     Picture::new(width, height, format!("{} with its pieces", part.name), body)
+}
+
+/// The centroid of what a closed line goes around.
+fn centroid(line: &[Point2]) -> Point2 {
+    let Some(&first) = line.first() else { return Point2::default() };
+    let (mut sum, mut area) = (Vec2::ZERO, 0.0);
+    for pair in line.windows(2) {
+        let [a, b] = [pair[0] - first, pair[1] - first];
+        let doubled = a.perp_dot(b);
+        (sum, area) = (sum + (a + b) * doubled, area + doubled);
+    }
+    if area == 0.0 { first } else { first + sum * (1.0 / (3.0 * area)) }
 }
