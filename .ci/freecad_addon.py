@@ -73,5 +73,23 @@ again = document.getObject("Side")
 again.touch()
 document.recompute()
 told["again"] = said(again, document.getObject("SideFlat"))
+
+# Edges in an assembly lie where its placement puts them.
+inner = curve("Inner", [(0, 0, 0), (900, 310, 40), (1800, 420, 60)])
+inner.Placement.Base = FreeCAD.Vector(30, 0, 0)
+outer = document.getObject("Sheer")
+alone, _ = sheets.between(document, (inner, "Edge1"), (outer, "Edge1"), "", "Alone")
+before = sheets.design_of(alone)["curves"]["first"]["points"]
+assembly = document.addObject("App::Part", "Assembly")
+assembly.addObject(inner)
+assembly.Placement.Base = FreeCAD.Vector(0, 700, 0)
+after = sheets.design_of(alone)["curves"]["first"]["points"]
+told["moved"] = [[b - a for a, b in zip(p, q)] for p, q in zip(before, after)]
+
+# A part that can no longer be made has nothing left of what it was.
+alone.Material = "no-such-material"
+document.recompute()
+told["left"] = alone.Proxy._made is not None
+
 with open(os.path.join(folder, "told.json"), "w") as file:
     json.dump(told, file)

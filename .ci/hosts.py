@@ -58,6 +58,9 @@ for name, file, material in [
     if name == "side":
         written = [path.read_bytes() for path in (folder / "Side.dxf", out / "Side.dxf")]
         check("side: the DXF has the bytes of the command's", written[0] == written[1])
+far = max(abs(a - b) for way in told["moved"] for a, b in zip(way, (0, 700, 0), strict=True))
+check("an edge lies where its assembly does", far < 1e-9, said=far)
+check("a part that can't be made keeps no old one", not told["left"])
 check("the part follows its edge", told["side"]["area"] != told["lower"]["area"])
 print(f"{passed} passed, {failed} failed")
 sys.exit(failed > 0 or passed == 0)

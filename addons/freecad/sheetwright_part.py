@@ -87,6 +87,9 @@ class SheetPart:
     def __setstate__(self, state):
         self._made = None
 
+    # What newer releases of FreeCAD call them.
+    dumps, loads = __getstate__, __setstate__
+
     def made(self, part):
         """The made design of a part."""
         if self._made is None:
@@ -95,6 +98,8 @@ class SheetPart:
 
     def execute(self, part):
         """Make the part; FreeCAD calls it."""
+        # Where it can't be made, nothing is left of what it was before.
+        self._made = None
         self._made = sw.make(design_of(part)) if hasattr(part, "First") else _made_of_mesh(part)
         parts = self._made.parts
         part.Verdict = ", ".join(piece.verdict for piece in parts)
@@ -118,6 +123,8 @@ class FlatPattern:
     def __setstate__(self, state):
         pass
 
+    dumps, loads = __getstate__, __setstate__
+
     def execute(self, flat):
         """Draw the pattern; FreeCAD calls it, and since it returns False, the sketch's own code."""
         lines, left = [], 0.0
@@ -137,6 +144,10 @@ def design_of(part):
     for name, role in (("first", "First"), ("second", "Second")):
         of, [edge] = getattr(part, role)
         line = of.Shape.getElement(edge).discretize(Number=POINTS)
+        # The shape lies where its own placement says, and not those of the parts that hold it.
+        if of.getGlobalPlacement() != of.Placement:
+            to_global = of.getGlobalPlacement() * of.Placement.inverse()
+            line = [to_global.multVec(point) for point in line]
         curves[name] = {"kind": "spline", "points": [[p.x, p.y, p.z] for p in line]}
     design = {"sheetwright": 1, "name": part.Name, "units": "mm", "curves": curves}
     if part.Material:
