@@ -103,6 +103,52 @@ def test_shards_go_on_where_they_ended(tmp_path: Path) -> None:
     assert json.loads((out / "settings.json").read_text())["settings"] == {"material": "paper"}
     with pytest.raises(sw.SheetwrightError, match="other settings"):
         solve_parquet(tmp_path / "facade.parquet", out, shard_rows=50, material="steel-1mm")
+    # Other panels in a file of the same name.
+    pq.write_table(flat.slice(0, 120), tmp_path / "facade.parquet")
+    with pytest.raises(sw.SheetwrightError, match="or files"):
+        solve_parquet(tmp_path / "facade.parquet", out, shard_rows=50, material="paper")
+    assert [shard.read_bytes() for shard in shards] == whole
+
+
+def test_a_folder_without_shards_takes_other_settings(tmp_path: Path) -> None:
+    from pysheetwright.ray import SETTINGS, solve_parquet  # noqa: PLC0415
+
+    pq.write_table(table(loops()[:4]), tmp_path / "few.parquet")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / SETTINGS).write_text("{}\n")
+    made = solve_parquet(tmp_path / "few.parquet", tmp_path / "out")
+    assert made == {"shards": 1, "made": 1, "rows": 4}
+    # Neither a missing file nor a wrong column leaves settings behind.
+    with pytest.raises(FileNotFoundError):
+        solve_parquet(tmp_path / "none.parquet", tmp_path / "other")
+    with pytest.raises(sw.SheetwrightError, match="no column 'edge'"):
+        solve_parquet(tmp_path / "few.parquet", tmp_path / "other", boundary="edge")
+    assert not list((tmp_path / "other").iterdir())
+
+
+def test_columns_of_the_result_must_be_free(tmp_path: Path) -> None:
+    from pysheetwright.ray import solve_dataset, solve_parquet  # noqa: PLC0415
+
+    rows = table(loops()[:4])
+    rows = rows.append_column("verdict", rows.column("id"))
+    with pytest.raises(Exception, match="'verdict' is there already"):
+        solve_dataset(ray.data.from_arrow(rows)).take_all()
+    pq.write_table(rows, tmp_path / "few.parquet")
+    with pytest.raises(sw.SheetwrightError, match="'verdict' is there already") as raised:
+        solve_parquet(tmp_path / "few.parquet", tmp_path / "out")
+    assert "rename" in raised.value.hint
+
+
+@pytest.mark.parametrize("group", [1, 7, 40, 3000, 10_000])
+def test_rows_of_a_shard_are_those_of_the_file(group: int, tmp_path: Path) -> None:
+    from pysheetwright.ray import _rows  # noqa: PLC0415
+
+    count = 300 if group < 100 else 9000
+    whole = pa.table({"n": range(count)})
+    pq.write_table(whole, tmp_path / "n.parquet", row_group_size=group)
+    for start, size in ((0, 50), (41, 50), (count - 20, 50), (0, count), (count // 2, 2500)):
+        told = _rows(pq.ParquetFile(tmp_path / "n.parquet"), start, size)
+        assert told.column("n").to_pylist() == list(range(start, min(start + size, count)))
 
 
 def test_a_wrong_column_is_said() -> None:
@@ -125,6 +171,12 @@ def test_points_of_any_form_are_read() -> None:
         a, b = _boundaries(pa.chunked_array([array]))
         assert np.array_equal(a, points)
         assert np.array_equal(b, points[:2])
+    # Points whose numbers add up to two points, but none is one.
+    torn = _boundaries(pa.chunked_array([pa.array([[[0.0, 1.0], [2.0, 3.0, 4.0, 5.0]]])]))
+    assert torn == [[[0.0, 1.0], [2.0, 3.0, 4.0, 5.0]]]
+    flat_pairs = pa.array([[[0.0, 1.0]] * 3]).cast(pa.list_(pa.list_(pa.float64(), 2)))
+    assert _boundaries(pa.chunked_array([flat_pairs])) == [[[0.0, 1.0]] * 3]
+    assert all(sw.solve_many([*torn, [[0.0, 1.0]] * 3])["error"])
     # Two rows whose numbers fit together only by accident, and a row without any.
     odd = _boundaries(pa.chunked_array([pa.array([[1.0, 2.0], [3.0, 4.0, 5.0, 6.0], None])]))
     assert odd == [[1.0, 2.0], [3.0, 4.0, 5.0, 6.0], None]

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from ray import data
 
@@ -21,7 +22,7 @@ from pysheetwright import __version__, solve_many
 from pysheetwright.errors import SheetwrightError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -71,18 +72,31 @@ def solve_parquet(
 
     ``source`` is a file, a folder of ``*.parquet`` or a list of files, on a disk that all workers
     see, as ``folder`` is. A shard that is there is not made again, so a run that was ended goes on
-    when it is called again; a folder whose shards were made with other settings is refused. Returns
-    how many shards there are, how many were made now, and how many rows they have.
+    when it is called again; a folder whose shards were made with other settings or of other files
+    is refused. Returns how many shards there are, how many were made now, and how many rows were.
+
+    A worker reads the groups of rows that its shard is part of, some at a time; write files whose
+    groups are no larger than a few shards, else shards read the same rows again and again.
     """
     folder = Path(folder).absolute()
     folder.mkdir(parents=True, exist_ok=True)
-    said: dict[str, Any] = {"pysheetwright": __version__, "boundary": boundary}
-    said |= {"shard_rows": shard_rows, "outlines": outlines, "settings": dict(settings)}
-    _agree(folder / SETTINGS, json.dumps(said, sort_keys=True, indent=1) + "\n")
-    shards = list(_shards(_files(source), folder, shard_rows))
+    metadata = {file: pq.ParquetFile(file).metadata for file in _files(source)}
+    for of_file in metadata.values():
+        _refuse_columns(of_file.schema.to_arrow_schema().names, boundary, outlines=outlines)
+    counts = {file: of_file.num_rows for file, of_file in metadata.items()}
+    shards = list(_shards(counts, folder, shard_rows))
     names = [shard["out"] for shard in shards]
     if len(set(names)) < len(names):
         raise SheetwrightError("two files have one name", "Rename one, or solve them apart.")
+    said: dict[str, Any] = {"pysheetwright": __version__, "boundary": boundary}
+    said |= {"shard_rows": shard_rows, "outlines": outlines, "settings": dict(settings)}
+    said |= {
+        "files": [
+            {"name": file.name, "rows": rows, "bytes": file.stat().st_size}
+            for file, rows in counts.items()
+        ]
+    }
+    _agree(folder / SETTINGS, json.dumps(said, sort_keys=True, indent=1) + "\n")
     missing = [shard for shard in shards if not Path(shard["out"]).exists()]
     rows = 0
     if missing:
@@ -104,18 +118,19 @@ def _files(source: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) ->
     return [Path(path) for path in source]
 
 
-def _shards(files: Iterable[Path], folder: Path, shard_rows: int) -> Iterable[dict[str, Any]]:
-    for file in files:
-        for start in range(0, pq.ParquetFile(file).metadata.num_rows, shard_rows):
+def _shards(counts: Mapping[Path, int], folder: Path, shard_rows: int) -> Iterable[dict[str, Any]]:
+    for file, count in counts.items():
+        for start in range(0, count, shard_rows):
             out = folder / f"{file.stem}-{start:09d}.parquet"
             shard = {"file": str(file.absolute()), "start": start, "count": shard_rows}
             yield shard | {"out": str(out)}
 
 
 def _agree(file: Path, said: str) -> None:
-    """Keep the settings of a folder; refuse others than it has."""
-    if file.exists() and file.read_text() != said:
-        message = f"{file.parent} has shards that were made with other settings"
+    """Keep what the shards of a folder are made of; refuse shards of other things."""
+    kept = file.read_text() if file.exists() else ""
+    if kept != said and any(file.parent.glob("*.parquet")):
+        message = f"{file.parent} has shards that were made with other settings or files"
         raise SheetwrightError(message, "Name another folder, or remove that one.")
     _write(file, lambda path: path.write_text(said))
 
@@ -141,26 +156,43 @@ def _solved_shard(
 
 
 def _rows(file: pq.ParquetFile, start: int, count: int) -> pa.Table:
-    """Read some rows, and no group of rows that has none of them."""
-    wanted, before, skipped = [], 0, 0
+    """Read some rows, a batch at a time, and no group of rows that has none of them."""
+    wanted, before, skip = [], 0, start
     for group in range(file.num_row_groups):
         after = before + file.metadata.row_group(group).num_rows
         if after <= start:
-            skipped = after
+            skip = start - after
         elif before < start + count:
             wanted.append(group)
         before = after
-    return file.read_row_groups(wanted).slice(start - skipped, count)
+    kept, left = [], count
+    for batch in file.iter_batches(batch_size=min(count, 2000), row_groups=wanted):
+        part = batch.slice(min(skip, batch.num_rows), left)
+        skip -= min(skip, batch.num_rows)
+        left -= part.num_rows
+        if part.num_rows:
+            kept.append(part)
+        if not left:
+            break
+    return pa.Table.from_batches(kept)
+
+
+def _refuse_columns(names: Sequence[str], boundary: str, *, outlines: bool) -> None:
+    """Refuse a table without boundaries, or one that has a column of the result already."""
+    if boundary not in names:
+        message = f"there is no column {boundary!r}"
+        raise SheetwrightError(message, f"The columns are {', '.join(names)}.")
+    result = solve_many([], outlines=outlines)
+    taken = [name for name in names if name in result and name != boundary]
+    if taken:
+        message = f"the column {taken[0]!r} is there already"
+        raise SheetwrightError(message, "The result has one of this name: rename it or drop it.")
 
 
 def _solved(
     table: pa.Table, *, boundary: str, outlines: bool, settings: dict[str, Any]
 ) -> pa.Table:
-    # Ray runs as many tasks as there are cores, so none needs threads of its own.
-    os.environ.setdefault("RAYON_NUM_THREADS", "1")
-    if boundary not in table.column_names:
-        message = f"there is no column {boundary!r}"
-        raise SheetwrightError(message, f"The columns are {', '.join(table.column_names)}.")
+    _refuse_columns(table.column_names, boundary, outlines=outlines)
     panels = _boundaries(table.column(boundary))
     columns = solve_many(panels, threads=1, outlines=outlines, **settings)
     kept = table.drop_columns([boundary])
@@ -179,11 +211,17 @@ def _boundaries(column: pa.ChunkedArray) -> list[Any]:
         is_nested = pa.types.is_list(inner.type) or pa.types.is_fixed_size_list(inner.type)
         flat = inner.flatten() if is_nested else inner
         starts = offsets if is_nested else offsets // 3
-        fits = len(flat) == 3 * len(inner) if is_nested else not (offsets % 3).any()
+        fits = _are_threes(inner) if is_nested else not (offsets % 3).any()
         if fits and pa.types.is_floating(flat.type) and not flat.null_count:
             points = flat.to_numpy(zero_copy_only=False).reshape(-1, 3)
             return [points[a:b] for a, b in pairwise(starts)]
     return [_points(value) for value in column.to_pylist()]
+
+
+def _are_threes(points: pa.Array) -> bool:
+    """Say whether each point is a list of three numbers."""
+    lengths = pc.list_value_length(points)
+    return not lengths.null_count and bool(pc.all(pc.equal(lengths, 3), min_count=0).as_py())
 
 
 def _points(value: Any) -> Any:  # noqa: ANN401
