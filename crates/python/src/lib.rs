@@ -3,8 +3,9 @@
 //! Nothing is computed here that the command would not compute: whatever a caller hands over
 //! becomes the bytes of a design, of a curve table or of a mesh (`source`), which
 //! `sheetwright_files` reads as it reads files. So a panel from Python is, to the last bit, the
-//! panel that the command makes of such a file. `settings` has the options, `made` and `part` the
-//! results, `many` the panels by the thousand, `failure` the errors.
+//! panel that the command makes of such a file. `settings` has the options, `ranges` what their
+//! numbers may be, `made` and `part` the results, `many` the panels by the thousand, `failure` the
+//! errors.
 //!
 //! The half that is Python, `python/pysheetwright`, has the functions with their keywords and
 //! documentation, plots, and Ray. `_native.pyi` beside it has the types of what stands here.
@@ -17,6 +18,7 @@ mod made;
 mod many;
 mod nested;
 mod part;
+mod ranges;
 mod remedies;
 mod settings;
 mod signals;

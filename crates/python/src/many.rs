@@ -2,7 +2,7 @@
 //!
 //! Threads take panels from one queue, so that none waits for a slow neighbour. Each panel is made
 //! by one thread alone, and rows stand in the order of the panels: neither the number of threads
-//! nor their order changes a bit.
+//! nor their order changes a bit. The rows are those of a batch (`sheetwright::make::make_rows`).
 
 use crate::arrays::array_of_points2;
 use crate::failure::Failure;
@@ -13,8 +13,11 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use sheetwright::Watch;
-use sheetwright::make::{Judging, Part, make_judged};
-use sheetwright::math::{Point2, to_deg};
+use sheetwright::check::Finding;
+use sheetwright::design::Design;
+use sheetwright::make::{Judging, MakeError, PanelRow, PanelValues, make_judged, make_rows};
+use sheetwright::math::Point2;
+use sheetwright::triangulate::on_one_thread;
 use sheetwright_files::ReadOptions;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -23,25 +26,24 @@ use std::thread;
 use std::time::Instant;
 
 /// What is told of a panel in a number: the name of its column, as in `report.json`, and its value,
-/// NaN where there is none.
-type Number = (&'static str, fn(&Part) -> f64);
+/// none where there is none.
+type Number = (&'static str, fn(&PanelValues) -> Option<f64>);
 
 /// What is told of a panel in numbers.
-const NUMBERS: [Number; 11] = [
-    ("area_space_mm2", |part| part.measures.area_space_mm2),
-    ("area_flat_mm2", |part| part.measures.area_flat_mm2),
-    ("flat_width_mm", |part| part.piece.size.x),
-    ("flat_height_mm", |part| part.piece.size.y),
-    ("warp_max_deg", |part| to_deg(part.measures.warp_max)),
-    ("warp_mean_deg", |part| to_deg(part.measures.warp_mean)),
-    ("crease_max_deg", |part| to_deg(part.measures.crease_max)),
-    ("bend_radius_min_mm", |part| part.measures.bend_radius_min_mm),
-    ("strain_p95", |part| part.predicted.as_ref().map_or(f64::NAN, |it| it.strain)),
-    ("length_error_max", |part| part.measures.length_error_max),
-    ("price_total", |part| {
-        part.found().map_or(f64::NAN, |found| found.triangulation.price_without_hints())
-    }),
+const NUMBERS: [Number; 9] = [
+    ("area_space_mm2", |of| Some(of.area_space_mm2)),
+    ("area_flat_mm2", |of| Some(of.area_flat_mm2)),
+    ("flat_width_mm", |of| Some(of.flat_width_mm)),
+    ("flat_height_mm", |of| Some(of.flat_height_mm)),
+    ("outline_length_mm", |of| Some(of.outline_length_mm)),
+    ("warp_max_deg", |of| of.warp_max_deg),
+    ("bend_radius_min_mm", |of| of.bend_radius_min_mm),
+    ("strain_p95", |of| of.strain_p95),
+    ("strain_limit", |of| Some(of.strain_limit)),
 ];
+
+/// The most threads, whatever is asked for: more than any machine of today makes use of.
+const MOST_THREADS: usize = 256;
 
 /// What is told of a panel.
 struct Row {
@@ -56,14 +58,13 @@ struct Row {
 }
 
 impl Row {
-    fn of(part: &Part, has_outline: bool) -> Self {
-        let codes: Vec<&str> = part.checked.findings.iter().map(|finding| finding.code()).collect();
-        let outline = part.piece.loops().next().filter(|_| has_outline);
+    fn of(row: &PanelRow, outline: Vec<Point2>) -> Self {
+        let codes: Vec<&str> = row.findings.iter().map(Finding::code).collect();
         Self {
-            verdict: part.checked.verdict.name(),
+            verdict: row.verdict.name(),
             findings: codes.join(" "),
-            numbers: NUMBERS.map(|(_, number)| number(part)),
-            outline: outline.map(<[Point2]>::to_vec).unwrap_or_default(),
+            numbers: NUMBERS.map(|(_, number)| number(&row.values).unwrap_or(f64::NAN)),
+            outline,
             error: String::new(),
             hint: String::new(),
         }
@@ -92,19 +93,33 @@ impl Job {
     fn row(&self, bounds: Result<Bounds, Failure>, watch: &mut dyn Watch) -> Row {
         let made = bounds.and_then(|bounds| {
             let design = bounds.design("panel", &self.options)?;
-            let made = make_judged(&design, self.judging, watch);
+            let made = on_one_thread(|| self.made(&design, watch));
             made.map_err(|error| Failure::of_make(&error, &design))
         });
         match made {
-            Ok(made) => match &made.parts[..] {
-                [part] => Row::of(part, self.has_outline),
-                parts => Row::failed(Failure::new(
-                    format!("the panel becomes {} parts", parts.len()),
+            Ok((rows, outline)) => match &rows[..] {
+                [row] => Row::of(row, outline),
+                rows => Row::failed(Failure::new(
+                    format!("the panel becomes {} parts", rows.len()),
                     "Make it alone, and look at its parts.",
                 )),
             },
             Err(failure) => Row::failed(failure),
         }
+    }
+
+    /// The rows of a design, and the first outline where outlines are wanted.
+    fn made(
+        &self,
+        design: &Design,
+        watch: &mut dyn Watch,
+    ) -> Result<(Vec<PanelRow>, Vec<Point2>), MakeError> {
+        if !self.has_outline {
+            return Ok((make_rows(design, self.judging, watch)?, Vec::new()));
+        }
+        let made = make_judged(design, self.judging, watch)?;
+        let outline = made.parts.first().map(|part| part.piece.outline().to_vec());
+        Ok((made.rows(), outline.unwrap_or_default()))
     }
 }
 
@@ -152,9 +167,14 @@ fn rows(job: &Job, bounds: Vec<Result<Bounds, Failure>>, threads: usize) -> PyRe
         }
     };
     thread::scope(|scope| {
-        for _ in 0..threads.min(count) {
+        for number in 0..threads.min(count).min(MOST_THREADS) {
             let done = done.clone();
-            scope.spawn(|| work(done));
+            match thread::Builder::new().spawn_scoped(scope, || work(done)) {
+                Ok(_) => {}
+                // Where the system has no more of them, those that there are do all.
+                Err(_) if number > 0 => break,
+                Err(error) => return Err(error.into()),
+            }
         }
         drop(done);
         let collected = collected(count, &arriving);

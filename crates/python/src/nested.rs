@@ -2,6 +2,7 @@
 
 use crate::arrays::{array2, points2};
 use crate::failure::Failure;
+use crate::ranges::{ANGLE, COORDINATE, DISTANCE, EFFORT, whole};
 use crate::signals::detached;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -17,8 +18,11 @@ use sheetwright_files::stock_sheet;
 #[pyo3(from_item_all)]
 pub(crate) struct OutlineArrays<'py> {
     loops: Vec<PyReadonlyArray2<'py, f64>>,
-    count: usize,
+    count: i64,
 }
+
+/// The most parts of a layout.
+const MOST_PARTS: usize = 100_000;
 
 /// Where parts lie on sheets.
 #[pyclass(frozen, module = "pysheetwright")]
@@ -38,21 +42,21 @@ pub(crate) fn nest(
     may_turn_over: bool,
     effort: f64,
 ) -> PyResult<Layout> {
-    let angles =
-        turns_deg.unwrap_or_default().into_iter().map(sheetwright::math::from_deg).collect();
+    let angle = |deg| ANGLE.checked("turns", deg).map(sheetwright::math::from_deg);
+    let angles = turns_deg.unwrap_or_default().into_iter().map(angle);
+    let angles = angles.collect::<Result<_, Failure>>()?;
     let turns = Turns { angles, may_turn_over, ..Turns::FREE };
-    let part = |(n, given): (usize, &OutlineArrays<'_>)| {
-        let loops = given.loops.iter().map(|line| points2(line, &format!("outline {n}")));
-        let loops = loops.collect::<Result<Vec<Vec<Point2>>, Failure>>()?;
-        if loops.first().is_none_or(|outline| outline.len() < 3) {
-            let message = format!("outline {n} has fewer than 3 corners");
-            return Err(Failure::new(message, "Give an array of shape (N, 2)."));
-        }
-        Ok(NestPart { loops, count: given.count, turns: turns.clone(), group: None })
-    };
-    let parts = outlines.iter().enumerate().map(part).collect::<Result<Vec<_>, Failure>>()?;
+    let parts = outlines.iter().enumerate().map(|(n, given)| part(n, given, &turns));
+    let parts = parts.collect::<Result<Vec<_>, Failure>>()?;
+    let count = parts.iter().fold(0, |sum: usize, part| sum.saturating_add(part.count));
+    if count > MOST_PARTS {
+        let hint = format!("The limit is {MOST_PARTS} parts: lay them out in several calls.");
+        Err(Failure::new(format!("counts: there are {count} parts"), hint))?;
+    }
     let sheets = sheets.iter().map(|text| sheet(text)).collect::<Result<Vec<_>, Failure>>()?;
-    let (gap_mm, margin_mm) = distances;
+    let gap_mm = DISTANCE.checked("gap", distances.0)?;
+    let margin_mm = DISTANCE.checked("margin", distances.1)?;
+    let effort = EFFORT.checked("effort", effort)?;
     let options = NestOptions { gap_mm, margin_mm, has_common_lines: false, effort };
     let nest = detached(py, |signals| kernel_nest(&parts, &sheets, options, signals))?;
     if first_fault(&nest, &parts, &sheets, options).is_some() {
@@ -60,6 +64,23 @@ pub(crate) fn nest(
         Err(Failure::new("the layout does not keep what was asked", hint))?;
     }
     Ok(Layout { nest, parts })
+}
+
+/// The n-th part of a call.
+fn part(n: usize, given: &OutlineArrays<'_>, turns: &Turns) -> Result<NestPart, Failure> {
+    let name = format!("outline {n}");
+    let loops = given.loops.iter().map(|line| points2(line, &name));
+    let loops = loops.collect::<Result<Vec<Vec<Point2>>, Failure>>()?;
+    if loops.iter().any(|line| line.len() < 3) || loops.is_empty() {
+        let message = format!("{name} has a loop with fewer than 3 corners");
+        return Err(Failure::new(message, "Give an array of shape (N, 2)."));
+    }
+    for p in loops.iter().flatten() {
+        COORDINATE.checked(&name, p.x)?;
+        COORDINATE.checked(&name, p.y)?;
+    }
+    let count = whole("counts", given.count)?;
+    Ok(NestPart { loops, count, turns: turns.clone(), group: None })
 }
 
 fn sheet(text: &str) -> Result<NestSheet, Failure> {

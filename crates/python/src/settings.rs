@@ -2,6 +2,7 @@
 //! options of the command are; lengths are mm, angles degrees.
 
 use crate::failure::Failure;
+use crate::ranges::{self, Range, whole};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -34,6 +35,18 @@ impl Keywords<'_> {
         };
         let read = value.extract().map_err(Into::<PyErr>::into);
         read.map(Some).map_err(|error| PyTypeError::new_err(format!("{name}: {error}")))
+    }
+
+    /// A number within a range.
+    fn number(&self, name: &str, range: &Range) -> PyResult<Option<f64>> {
+        let given: Option<f64> = self.get(name)?;
+        Ok(given.map(|number| range.checked(name, number)).transpose()?)
+    }
+
+    /// A whole number, 0 or more.
+    fn count(&self, name: &str) -> PyResult<Option<usize>> {
+        let given: Option<i64> = self.get(name)?;
+        Ok(given.map(|count| whole(name, count)).transpose()?)
     }
 
     /// What a keyword names.
@@ -87,7 +100,7 @@ pub(crate) fn read_options(given: &Keywords<'_>) -> PyResult<ReadOptions> {
     let sides = [("cheapest", WhichSurface::Cheapest), ("other", WhichSurface::Other)];
     Ok(ReadOptions {
         second_table: None,
-        samples: given.get("samples")?,
+        samples: given.count("samples")?,
         tolerance_mm: given.get("tolerance")?,
         fold: given.get("fold")?,
         effort: given.get("effort")?,
@@ -98,18 +111,18 @@ pub(crate) fn read_options(given: &Keywords<'_>) -> PyResult<ReadOptions> {
         rails: given.get("rails")?.unwrap_or_default(),
         material: given.get("material")?,
         vary: VarySettings {
-            limit_mm: given.get("vary_limit")?,
-            budget_mm: given.get("vary_budget")?,
-            warp_deg: given.get("vary_warp")?,
-            strain: given.get("vary_strain")?,
+            limit_mm: given.number("vary_limit", &ranges::DISTANCE)?,
+            budget_mm: given.number("vary_budget", &ranges::DISTANCE)?,
+            warp_deg: given.number("vary_warp", &ranges::WARP)?,
+            strain: given.number("vary_strain", &ranges::SHARE)?,
         },
         mesh: mesh_settings(given)?,
         trade: given.get("trade")?,
-        allowance_mm: given.get("allowance")?,
+        allowance_mm: given.number("allowance", &ranges::SIZE)?,
         bends: bend_settings(given)?,
         dimensions: given.chosen("dimensions", &Dimensions::ALL.map(|it| (it.name(), it)))?,
-        thickness_mm: given.get("thickness")?,
-        bend_radius_mm: given.get("bend_radius")?,
+        thickness_mm: given.number("thickness", &ranges::THICKNESS)?,
+        bend_radius_mm: given.number("bend_radius", &ranges::RADIUS)?,
         sheets: sheet_settings(given)?,
     })
 }
@@ -124,14 +137,18 @@ fn plane(given: &Keywords<'_>) -> PyResult<Option<PlaneChoice>> {
 }
 
 fn mesh_settings(given: &Keywords<'_>) -> PyResult<MeshSettings> {
-    let split_deg: Option<f64> = given.get("split_creases")?;
+    let split_deg = given.number("split_creases", &ranges::CREASE)?;
+    let within: Option<[f64; 2]> = given.get("pieces_within")?;
+    let size = |mm| ranges::SIZE.checked("pieces_within", mm);
     Ok(MeshSettings {
         aim: given.chosen("aim", &AIMS)?,
         split_creases: split_deg.map(from_deg),
         darts: given.get("darts")?.unwrap_or(false),
         skin: given.chosen("skin", &[("outer", Skin::Outer), ("inner", Skin::Inner)])?,
         facets: given.get("facets")?,
-        pieces_within_mm: given.get("pieces_within")?,
+        pieces_within_mm: within
+            .map(|[x, y]| Ok::<_, Failure>([size(x)?, size(y)?]))
+            .transpose()?,
     })
 }
 
@@ -161,13 +178,12 @@ fn sheet_settings(given: &Keywords<'_>) -> PyResult<SheetSettings> {
         stock_sheet(text).map_err(refused)
     };
     let sheets: Vec<String> = given.get("sheets")?.unwrap_or_default();
-    let is_common: Option<bool> = given.get("common_lines")?;
     Ok(SheetSettings {
         sheets: sheets.iter().map(read).collect::<Result<_, _>>()?,
-        gap_mm: given.get("gap")?,
-        margin_mm: given.get("margin")?,
-        kerf_mm: given.get("kerf")?,
-        common_lines: is_common.filter(|&is_common| is_common),
+        gap_mm: given.number("gap", &ranges::DISTANCE)?,
+        margin_mm: given.number("margin", &ranges::DISTANCE)?,
+        kerf_mm: given.number("kerf", &ranges::DISTANCE)?,
+        common_lines: given.get("common_lines")?,
         file_each: given.chosen("sheet_files", &[("all", false), ("each", true)])?,
         effort: given.get("effort")?,
         divide: given.chosen("divide", &joints)?,
@@ -207,7 +223,7 @@ pub(crate) fn output_options(given: &Keywords<'_>, design: &Design) -> PyResult<
     let paper: Option<String> = given.get("paper")?;
     let paper = paper.as_deref().map(Paper::parse).transpose().map_err(refused)?;
     let most = MaxSheets::MOST.get();
-    let max_sheets = given.get("max_sheets")?.map(|count| {
+    let max_sheets = given.count("max_sheets")?.map(|count| {
         let hint = format!("Give a whole number from 1 to {most}.");
         MaxSheets::new(count).ok_or_else(|| Failure::new("max_sheets: out of range", hint))
     });
@@ -218,14 +234,14 @@ pub(crate) fn output_options(given: &Keywords<'_>, design: &Design) -> PyResult<
         },
         report: given.chosen("report", &forms)?.unwrap_or_default(),
         dxf: given.chosen("dxf", &releases)?.or(of_design.dxf),
-        arcs_mm: given.get("arcs")?.or(of_design.arcs_mm),
+        arcs_mm: given.number("arcs", &ranges::ARCS)?.or(of_design.arcs_mm),
         offsets: OffsetOptions {
-            pitch_mm: given.get("stations")?,
+            pitch_mm: given.number("stations", &ranges::PITCH)?,
             feet: given.get("feet")?.unwrap_or(false),
         },
         brake: BrakeSettings {
-            die_mm: given.get("die")?,
-            length_mm: given.get("brake_length")?,
+            die_mm: given.number("die", &ranges::SIZE)?,
+            length_mm: given.number("brake_length", &ranges::SIZE)?,
             rolls: given.get("rolls")?.unwrap_or(false),
         },
         each_part: given.get("each_part")?.unwrap_or(false),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 import threading
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -74,6 +74,114 @@ def test_other_arrays_are_copied_as_they_are() -> None:
     for other in (loop.tolist(), loop.astype(np.float64, order="F"), np.repeat(loop, 2, 0)[::2]):
         assert np.array_equal(sw.solve(other).flat, want.flat)
     assert sw.solve(loop.astype(np.float32)).verdict == want.verdict
+
+
+def test_arrays_that_lie_oddly_in_memory_are_read_right() -> None:
+    loop = saddle(20)
+    want = sw.solve(loop).flat
+    # Fields of packed records: rows are 28 bytes apart.
+    records = np.zeros(80, dtype=[("id", "i4"), ("p", "f8", 3)])
+    records["p"] = loop
+    # Numbers that begin in the middle of a word.
+    shifted = np.frombuffer(b"head" + loop.tobytes(), "<f8", offset=4).reshape(80, 3)
+    big_ended = loop.astype(">f8")
+    for odd in (records["p"], shifted, big_ended, loop[::-1][::-1]):
+        assert np.array_equal(sw.solve(odd).flat, want)
+    rows = sw.solve_many([records["p"], shifted], outlines=True)
+    assert np.array_equal(rows["outline"][0], rows["outline"][1])
+    assert rows["area_flat_mm2"][0] == sw.solve_many([loop])["area_flat_mm2"][0]
+
+
+def test_none_is_as_left_out() -> None:
+    loop = saddle(20)
+    none = sw.solve(loop, samples=None, tolerance=None, holes=None)  # type: ignore[arg-type]
+    assert np.array_equal(none.flat, sw.solve(loop).flat)
+    assert sw.template("cone", height=None) == sw.template("cone")
+    rows = sw.solve_many([{"boundary": loop, "holes": None}], samples=None)  # type: ignore[arg-type]
+    assert rows["area_flat_mm2"][0] == sw.solve_many([loop])["area_flat_mm2"][0]
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    want = sw.template("cone", bottom=400.0)
+    numbers = (np.float64(400), np.float32(400), np.int64(400), np.array(400.0), 400, "400")
+    for number in numbers:
+        assert sw.template("cone", bottom=number) == want
+    stations = sw.template("cone", bottom=np.float64(410.5))
+    assert stations == sw.template("cone", bottom=410.5)
+
+
+def test_one_sheet_needs_no_list() -> None:
+    design = sw.template("cone")
+
+    def used(sheets: Any) -> Any:  # noqa: ANN401
+        return sw.make(design, sheets=sheets).report["sheets"]
+
+    feet = used(["4x8ft"])
+    assert feet["list"]
+    assert used("4x8ft") == feet
+    metres = used([(1000, 2000)])
+    assert metres["list"]
+    for one in ((1000, 2000), [1000.0, 2000.0], np.array([1000, 2000]), np.array([[1000, 2000]])):
+        assert used(one) == metres
+    assert len(used([(600, 600), (1000, 2000)])["list"]) >= 1
+    for bad in ((1000,), [(1000, 2000, 3)], [None], 1000, (np.nan, 1000), [(-1, 1000)]):
+        with pytest.raises(sw.SheetwrightError, match="is no sheet") as raised:
+            used(bad)
+        assert raised.value.hint
+
+
+OUT_OF_RANGE: list[dict[str, Any]] = [
+    {name: number}
+    for name, numbers in {
+        "thickness": (0, -1, 1001),
+        "bend_radius": (-1, 1001),
+        "allowance": (0, -3),
+        "gap": (-1, 1e10),
+        "margin": (-1,),
+        "kerf": (-0.1,),
+        "split_creases": (0, 180),
+        "vary_limit": (-1,),
+        "vary_budget": (-1,),
+        "vary_warp": (0, 91),
+        "vary_strain": (0, 1.1),
+        "effort": (0, 1e4),
+        "tolerance": (0, -1),
+    }.items()
+    for number in (*numbers, np.nan, np.inf, -np.inf)
+]
+OUT_OF_RANGE += [{"pieces_within": (0, 100)}, {"pieces_within": (100, np.nan)}, {"samples": -5}]
+
+
+@pytest.mark.parametrize("setting", OUT_OF_RANGE, ids=str)
+def test_settings_out_of_range_are_refused(setting: Any) -> None:  # noqa: ANN401
+    with pytest.raises(sw.SheetwrightError) as raised:
+        sw.make(sw.template("cone"), **({"sheets": "4x8ft", "dimensions": "mean"} | setting))
+    assert raised.value.hint
+
+
+def test_settings_of_files_out_of_range_are_refused() -> None:
+    made = sw.make(sw.template("cone"))
+    for name, numbers in {
+        "stations": (0, -1, np.nan, np.inf),
+        "arcs": (0, 11, np.nan),
+        "die": (0, np.nan),
+        "brake_length": (-1, np.inf),
+        "max_sheets": (0, -1, 10**9),
+    }.items():
+        for number in numbers:
+            options: Any = {name: number}
+            with pytest.raises(sw.SheetwrightError, match=name) as raised:
+                made.files(["pdf"], **options)
+            assert raised.value.hint
+
+
+def test_common_lines_replace_what_a_design_says() -> None:
+    design = sw.template("cone") | {"sheets": {"sizes": [{"size": [1000, 2000]}]}}
+    design["sheets"]["common_lines"] = True
+    assert sw.make(design).design["sheets"]["common_lines"]
+    assert "common_lines" not in sw.make(design, common_lines=False).design["sheets"]
+    # Without common lines, a gap is no contradiction.
+    assert sw.make(design, common_lines=False, gap=7).design["sheets"]["gap"] == "7 mm"
 
 
 def test_kinds_of_curves() -> None:
@@ -172,6 +280,29 @@ def test_nest_keeps_parts_apart() -> None:
     assert sw.nest([square], (50, 50)).left_over == [0]
     with pytest.raises(sw.SheetwrightError, match="sheet"):
         sw.nest([square], "large")
+    assert sw.nest([square, square], (500, 500), counts=[0, 1]).part.tolist() == [1]
+
+
+def test_outlines_that_can_not_be_laid_out_are_refused() -> None:
+    square = np.array([[0, 0], [100, 0], [100, 100], [0, 100]], dtype=float)
+    far = square + 2e9
+    wrong: list[Any] = [[], [[]], [5, 6], None, square[:2], [square, []], square * np.nan, far]
+    for bad in wrong:
+        with pytest.raises(sw.SheetwrightError) as raised:
+            sw.nest([bad], (500, 500))
+        assert raised.value.hint
+    for name, values in {
+        "gap": (-1, np.nan, np.inf),
+        "margin": (-1, np.nan),
+        "effort": (0, -1, 1e4, np.nan),
+        "turns": ([np.nan], [np.inf]),
+        "counts": ([-1], [2.5], [100_001], [1, 2], [2**62]),
+    }.items():
+        for value in values:
+            given: Any = {name: value}
+            with pytest.raises(sw.SheetwrightError, match=name) as raised:
+                sw.nest([square], (500, 500), **given)
+            assert raised.value.hint
 
 
 def test_many_are_as_each_alone_with_any_number_of_threads() -> None:
@@ -192,6 +323,16 @@ def test_many_are_as_each_alone_with_any_number_of_threads() -> None:
         assert one["area_flat_mm2"][n] == part.area_flat_mm2
         assert one["warp_max_deg"][n] == part.warp_max_deg
         assert np.array_equal(one["outline"][n], part.outline)
+        assert one["strain_limit"][n] == part.strain_limit
+        edges = np.roll(part.outline, -1, axis=0) - part.outline
+        length = np.linalg.norm(edges, axis=1).sum()
+        assert one["outline_length_mm"][n] == pytest.approx(length, rel=1e-12)
+    # A flat panel has no radius.
+    assert np.isnan(one["bend_radius_min_mm"][0])
+    assert (one["bend_radius_min_mm"][1:] > 0).all()
+    assert np.array_equal(
+        sw.solve_many(panels[:4], threads=10_000)["area_flat_mm2"], one["area_flat_mm2"][:4]
+    )
 
 
 def test_a_bad_panel_is_a_row_among_many() -> None:
@@ -202,6 +343,11 @@ def test_a_bad_panel_is_a_row_among_many() -> None:
     assert rows["hint"][1]
     assert np.isnan(rows["area_flat_mm2"]).tolist() == [False, True, False, False]
     assert rows["verdict"][1] == ""
+    others: list[Any] = [{"rails": 5}, {"holes": 5, "boundary": saddle(10)}, {}, None, 5, "loop"]
+    rows = sw.solve_many([*others, saddle(10)])
+    assert all(rows["error"][:-1])
+    assert all(rows["hint"][:-1])
+    assert rows["error"][-1] == ""
     empty = sw.solve_many([])
     assert empty["verdict"].shape == empty["area_flat_mm2"].shape == (0,)
     with pytest.raises(sw.SheetwrightError, match="shape"):

@@ -5,11 +5,14 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pysheetwright import _native
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
 
     from pysheetwright._native import Material
 
@@ -35,21 +38,25 @@ def template(
     *,
     trade: str | None = None,
     folder: str | os.PathLike[str] | None = None,
-    **settings: float | str | Sequence[float],
+    **settings: ArrayLike | None,
 ) -> dict[str, Any]:
     """Return the design that a template draws, as a dict for :func:`pysheetwright.make`.
 
     ``settings`` are the parameters of the template, with ``_`` where their names have ``-``:
-    numbers in millimetres or degrees, texts with a unit such as ``"15 3/4in"``, lists of numbers;
-    and ``material`` and ``dimensions``, which every template has. ``trade`` adds what a trade does
-    along edges. A parameter that is a table names a file in ``folder``.
+    numbers in millimetres or degrees, texts with a unit such as ``"15 3/4in"``, lists of numbers
+    (None is as left out); and ``material`` and ``dimensions``, which every template has. ``trade``
+    adds what a trade does along edges. A parameter that is a table names a file in ``folder``.
     """
-    texts = [f"{key.replace('_', '-')}={_text(value)}" for key, value in settings.items()]
+    given = {key.replace("_", "-"): value for key, value in settings.items() if value is not None}
+    texts = [f"{key}={_text(value)}" for key, value in given.items()]
     read: dict[str, Any] = json.loads(_native.template(name, texts, trade, folder))
     return read
 
 
-def _text(value: float | str | Sequence[float]) -> str:
+def _text(value: Any) -> str:  # noqa: ANN401
+    if isinstance(value, (np.generic, np.ndarray)):
+        # Python's own numbers, whose texts name no type.
+        value = value.tolist()
     if isinstance(value, str):
         return value
     if isinstance(value, (int, float)):

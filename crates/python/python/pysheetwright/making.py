@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
+from collections.abc import Mapping
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypedDict, Unpack
 
 import numpy as np
@@ -12,7 +15,7 @@ from pysheetwright import _native
 from pysheetwright.errors import SheetwrightError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import ArrayLike, NDArray
 
@@ -87,8 +90,8 @@ class Settings(TypedDict, total=False):
     """Whether a mesh is folded between its facets."""
     pieces_within: tuple[float, float]
     """The size that no piece of facets exceeds."""
-    sheets: Sequence[Sheet]
-    """The sheets that parts are laid out on."""
+    sheets: Sheet | Sequence[Sheet]
+    """The sheet or the sheets that parts are laid out on."""
     gap: float
     """The least distance between two parts on a sheet."""
     margin: float
@@ -160,7 +163,7 @@ def solve(
     boundary: ArrayLike | None = None,
     *,
     rails: tuple[ArrayLike, ArrayLike] | None = None,
-    holes: Sequence[ArrayLike] = (),
+    holes: Sequence[ArrayLike] | None = None,
     kind: Kind | None = None,
     name: str = "panel",
     **settings: Unpack[Settings],
@@ -230,14 +233,11 @@ def nest(
     the edge.
     """
     parts = [_loops(outline) for outline in outlines]
-    numbers = [1] * len(parts) if counts is None else [int(count) for count in counts]
+    numbers = [1] * len(parts) if counts is None else _whole(counts)
     if len(numbers) != len(parts):
         message = f"there are {len(parts)} outlines and {len(numbers)} counts"
         raise SheetwrightError(message, "Give one count for each outline.")
-    one = isinstance(sheets, str) or (
-        len(sheets) == 2 and all(isinstance(side, (int, float)) for side in sheets)  # noqa: PLR2004
-    )
-    texts = _sheets([sheets] if one else sheets)  # type: ignore[list-item, arg-type]
+    texts = _sheets(sheets)
     angles = None if turns is None else [float(turn) for turn in turns]
     given = [{"loops": loops, "count": count} for loops, count in zip(parts, numbers, strict=True)]
     return _native.nest(given, texts, (float(gap), float(margin)), angles, turn_over, float(effort))
@@ -255,13 +255,13 @@ def solve_many(
 
     ``panels`` is an array of shape (P, N, 3), or each is a closed boundary of shape (N, 3), or a
     dict with what :func:`solve` takes: ``boundary`` and ``holes``, or ``rails``. ``threads`` is
-    their number, 0 for as many as there are cores; it changes no bit. While they work, other
-    threads of Python run.
+    their number, 0 for as many as there are cores, 256 at most; it changes no bit. While they work,
+    other threads of Python run.
 
     The result has a column for each quantity, an array of shape (P,): ``verdict``, ``findings``
     (codes, the worst first, with blanks between them), ``area_space_mm2``, ``area_flat_mm2``,
-    ``flat_width_mm``, ``flat_height_mm``, ``warp_max_deg``, ``warp_mean_deg``, ``crease_max_deg``,
-    ``bend_radius_min_mm``, ``strain_p95``, ``length_error_max``, ``price_total``, ``error`` and
+    ``flat_width_mm``, ``flat_height_mm``, ``outline_length_mm``, ``warp_max_deg``,
+    ``bend_radius_min_mm`` (NaN of a flat panel), ``strain_p95``, ``strain_limit``, ``error`` and
     ``hint``. A panel that can't be made raises nothing: its ``error`` says why, its numbers are
     NaN. With ``outlines``, the column ``outline`` has arrays of shape (M, 2), mm.
 
@@ -283,9 +283,9 @@ def solve_many(
 
 
 def _panel(panel: Any, kind: Kind | None, settings: Mapping[str, Any]) -> dict[str, Any]:  # noqa: ANN401
-    if not isinstance(panel, dict):
-        return _bounds(panel, None, (), kind, settings)
-    known: dict[str, Any] = {"boundary": None, "rails": None, "holes": ()} | panel
+    if not isinstance(panel, Mapping):
+        return _bounds(panel, None, None, kind, settings)
+    known: dict[str, Any] = {"boundary": None, "rails": None, "holes": None} | dict(panel)
     return _bounds(known["boundary"], known["rails"], known["holes"], kind, settings)
 
 
@@ -319,44 +319,89 @@ def _given(settings: Mapping[str, Any]) -> dict[str, Any]:
     return given
 
 
-def _sheets(sheets: Sequence[Sheet]) -> list[str]:
-    return [
-        sheet if isinstance(sheet, str) else f"{float(sheet[0])!r}x{float(sheet[1])!r}mm"
-        for sheet in sheets
-    ]
+def _sheets(sheets: Sheet | Sequence[Sheet]) -> list[str]:
+    """Return the texts of sheets; one alone need not be in a list."""
+    try:
+        given = [sheets] if isinstance(sheets, str) else list(sheets)
+    except TypeError:
+        raise _no_sheet(sheets) from None
+    is_size = len(given) == 2 and all(isinstance(side, Real) for side in given)  # noqa: PLR2004
+    return [_sheet(sheet) for sheet in ([given] if is_size else given)]
+
+
+def _sheet(sheet: Any) -> str:  # noqa: ANN401
+    if isinstance(sheet, str):
+        return sheet
+    try:
+        width, height = (float(side) for side in sheet)
+    except (TypeError, ValueError):
+        raise _no_sheet(sheet) from None
+    return f"{width!r}x{height!r}mm"
+
+
+def _no_sheet(given: Any) -> SheetwrightError:  # noqa: ANN401
+    hint = 'Give a width and a height in mm, such as (1220, 2440), or a text such as "4x8ft".'
+    return SheetwrightError(f"sheets: {given!r} is no sheet", hint)
+
+
+def _whole(counts: Sequence[int]) -> list[int]:
+    try:
+        return [operator.index(count) for count in counts]
+    except TypeError as error:
+        raise SheetwrightError(f"counts: {error}", "Give a whole number for each.") from error
 
 
 def _bounds(
     boundary: ArrayLike | None,
     rails: tuple[ArrayLike, ArrayLike] | None,
-    holes: Sequence[ArrayLike],
+    holes: Sequence[ArrayLike] | None,
     kind: Kind | None,
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     if (boundary is None) == (rails is None):
         raise SheetwrightError("a panel has a boundary or two rails", "Give one of them.")
-    is_sampled = rails is not None or "samples" in settings or "tolerance" in settings
+    sampling = (settings.get(name) for name in ("samples", "tolerance"))
+    is_sampled = rails is not None or any(given is not None for given in sampling)
     how = kind or ("spline" if is_sampled else "samples")
-    curves = [boundary, *holes] if rails is None else list(rails)
-    return {"is_rails": rails is not None, "kind": how, "curves": [_rows(c) for c in curves]}
+    curves = (
+        [_rows(boundary), *_each_curve("holes", () if holes is None else holes)]
+        if rails is None
+        else _each_curve("rails", rails)
+    )
+    return {"is_rails": rails is not None, "kind": how, "curves": curves}
+
+
+def _each_curve(what: str, curves: Any) -> list[NDArray[np.float64]]:  # noqa: ANN401
+    try:
+        each = list(curves)
+    except TypeError as error:
+        message = f"{what}: {error}"
+        raise SheetwrightError(message, "Give arrays of shape (N, 3) in a list.") from error
+    return [_rows(curve) for curve in each]
 
 
 def _loops(outline: Any) -> list[NDArray[np.float64]]:  # noqa: ANN401
     if isinstance(outline, np.ndarray) and outline.ndim == 2:  # noqa: PLR2004
         return [_rows(outline)]
-    first = outline[0]
+    hint = "Give an array of shape (N, 2), or a list of such arrays."
+    try:
+        loops = list(outline)
+        first = list(loops[0])
+    except (TypeError, IndexError):
+        raise SheetwrightError(f"outlines: {outline!r} is no outline", hint) from None
     is_point = len(first) == 2 and all(np.isscalar(number) for number in first)  # noqa: PLR2004
-    return [_rows(outline)] if is_point else [_rows(loop) for loop in outline]
+    return [_rows(loops)] if is_point else [_rows(loop) for loop in loops]
 
 
 def _rows(points: Any) -> NDArray[np.float64]:  # noqa: ANN401
     try:
-        rows = np.asarray(points, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+        # In one piece and aligned, as the Rust half reads it: fields of packed records are neither.
+        rows = np.require(points, np.float64, ["C", "A", "E"])
+    except (TypeError, ValueError, OverflowError) as error:
         # A column of lists, as Arrow has them.
         try:
             rows = np.stack([np.asarray(row, dtype=np.float64) for row in points])
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise SheetwrightError(f"points: {error}", "Give rows of numbers.") from error
     if rows.ndim != 2:  # noqa: PLR2004
         message = f"points: the array has the shape {rows.shape}"
