@@ -23,16 +23,15 @@ use sheetwright::make::Judging;
 use sheetwright_files::whole::Folder;
 use std::path::PathBuf;
 use std::thread;
-use std::time::{Duration, Instant};
-use table::Table;
+use std::time::Instant;
+use table::{Table, WRITTEN_AFTER};
 use work::Worker;
 
-/// What waits to be made or written has at most so many bytes, unless a single panel has more.
+/// Panels and lines that were read and have no row yet have at most so many bytes in all, unless
+/// one has more.
 const MOST_WAITING_BYTES: usize = 64 << 20;
 /// At most so many panels or designs wait, for each thread.
 const MOST_WAITING_EACH: usize = 64;
-/// So long a row waits for others before it is written.
-const WRITTEN_AFTER: Duration = Duration::from_millis(500);
 /// The table in the folder of files, if the call names none.
 const TABLE: &str = "table.csv";
 
@@ -85,7 +84,7 @@ pub(crate) fn run(args: &BatchArgs, voice: Voice) -> Result<bool, Failure> {
     }
     let seconds = start.elapsed().as_secs_f64();
     let threads = if threads == 1 { "1 thread".to_owned() } else { format!("{threads} threads") };
-    voice.note(&format!("{made} made in {seconds:.1} s by {threads}"));
+    voice.note(&format!("{made} rows in {seconds:.1} s by {threads}"));
     Ok(count.has_errors())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::args::ConvertArgs;
 use crate::failure::Failure;
-use crate::make::{files, made, names_of, note_options, refuse_unmade};
+use crate::make::{files, made, names_of, note_options};
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, say};
 use crate::watcher::Watcher;
@@ -11,7 +11,7 @@ use sheetwright::design::Design;
 use sheetwright::make::Judging;
 use sheetwright_files::whole::write_one;
 use sheetwright_files::{
-    Format, OutputOptions, findings_json, read_note_text, write_design, write_table,
+    Format, OutputOptions, findings_json, read_note_text, refuse_unmade, write_design, write_table,
 };
 use std::path::Path;
 

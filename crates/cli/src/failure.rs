@@ -5,7 +5,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use sheetwright::design::Design;
 use sheetwright::make::MakeError;
 use sheetwright_files::whole::WriteError;
-use sheetwright_files::{InputError, Units, hint_in_design, length_in, remedy_for};
+use sheetwright_files::{INPUT_ENDINGS, InputError, Units, hint_in_design, length_in, remedy_for};
 
 const HELP: &str = "`sheetwright --help` shows the commands with examples.";
 
@@ -102,18 +102,3 @@ pub(crate) fn for_all(pattern: &str, ending: &str) -> String {
          \"${{f%{ending}}}\"; done"
     )
 }
-
-/// The endings of inputs, as the hints have them.
-pub(crate) const INPUT_ENDINGS: [&str; 11] = [
-    ".sheet.json",
-    ".csv",
-    ".tsv",
-    ".xlsx",
-    ".ods",
-    ".svg",
-    ".dxf",
-    ".obj",
-    ".stl",
-    ".ply",
-    ".glb",
-];

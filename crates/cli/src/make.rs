@@ -11,13 +11,11 @@ use sheetwright::design::{Design, DesignPanel, PanelShape};
 use sheetwright::make::{Judging, Made, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    Format, OutputOptions, Outputs, ReportForm, findings_json, formats_for, output_files,
-    sheets_sentence, timing_json,
+    FAULT, Format, OutputOptions, Outputs, ReportForm, findings_json, formats_for, output_files,
+    refuse_unmade, sheets_sentence, timing_json,
 };
 use std::path::Path;
 use std::time::Instant;
-
-const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
 pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     let start = Instant::now();
@@ -41,20 +39,6 @@ pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
 
 fn is_mesh(panel: &DesignPanel) -> bool {
     matches!(panel.shape, PanelShape::Mesh(_))
-}
-
-/// Refuses formats of which a design has no part.
-pub(crate) fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), Failure> {
-    let unmade = formats.iter().find(|format| format.needs_rulings());
-    match unmade {
-        Some(format) if !design.panels.is_empty() && design.panels.iter().all(is_mesh) => {
-            Err(Failure::new(
-                format!("{} can't be made of a mesh, which has no rulings", format.name()),
-                "Leave the format out, or give boundary curves instead.",
-            ))
-        }
-        _ => Ok(()),
-    }
 }
 
 /// Notes an option that has no effect.

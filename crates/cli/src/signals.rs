@@ -10,7 +10,7 @@ static LAST_WORDS: OnceLock<String> = OnceLock::new();
 
 /// Has this said when a signal ends the command.
 pub(crate) fn say_when_stopped(text: String) {
-    // The first to say something has the word.
+    // Only the first call sets the text.
     let _ = LAST_WORDS.set(text);
 }
 

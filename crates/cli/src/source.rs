@@ -1,13 +1,13 @@
 //! The input of a command, from a file or from standard input.
 
 use crate::args::{InputArgs, MeshArgs, SourceArgs};
-use crate::failure::{Failure, INPUT_ENDINGS, for_all};
+use crate::failure::{Failure, for_all};
 use crate::size::sized;
 use crate::voice::Voice;
 use sheetwright::design::Design;
 use sheetwright_files::{
-    InputFormat, ReadOptions, SecondTable, Units, hull_table_notes, read_bytes, read_input,
-    read_limited, units_said,
+    INPUT_ENDINGS, InputFormat, ReadOptions, SecondTable, Units, hull_table_notes, io_error,
+    read_bytes, read_input, read_limited, units_said,
 };
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -104,10 +104,8 @@ fn read(input: &InputArgs, args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, F
 /// The second file of a table of offsets.
 fn second_table(path: &Path) -> Result<SecondTable, Failure> {
     let name = path.display().to_string();
-    let unread = |error: io::Error| {
-        Failure::new(format!("this can't be read: {error}"), "Check the path.").at(name.clone())
-    };
-    let bytes = read_limited(File::open(path).map_err(unread)?, &name)?;
+    let file = File::open(path).map_err(|error| io_error(&name, &error))?;
+    let bytes = read_limited(file, &name)?;
     Ok(SecondTable { name, bytes })
 }
 

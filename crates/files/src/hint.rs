@@ -14,7 +14,8 @@ use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
 use sheetwright::trim::TrimFault;
 
-const FAULT: &str = "This is a fault of the program: please report it with the input.";
+/// The hint where nobody but the developers can help it.
+pub const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
 /// What to do about the error: one sentence or more.
 pub fn hint_for(error: &MakeError) -> String {

@@ -83,7 +83,7 @@ pub use drawing::{Drawing, Mirror, Plan, Reference};
 pub use dxf::{read_dxf, write_dxf, write_dxf_for, write_dxf_with};
 pub use fold::write_fold;
 pub use format::Format;
-pub use hint::{hint_for, hint_in_design, remedy_for};
+pub use hint::{FAULT, hint_for, hint_in_design, remedy_for};
 pub use hull_table::hull_table_notes;
 pub use input::{InputFormat, read_bytes, read_input};
 pub use linework::DrawingFormat;
@@ -93,7 +93,9 @@ pub use messages::{PanelTimes, error_json, findings_json, timing_json};
 pub use names::{refused_for_file, shown, visible};
 pub use obj::write_obj;
 pub use offsets::{OffsetOptions, write_offsets};
-pub use output::{OutputError, OutputFile, OutputOptions, Outputs, formats_for, output_files};
+pub use output::{
+    OutputError, OutputFile, OutputOptions, Outputs, formats_for, output_files, refuse_unmade,
+};
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, RollWidth, WrittenPdf, write_pdf};
 pub use preset::{DxfRelease, Preset};
 pub use quads::{PanelQuads, write_quads};
@@ -103,8 +105,8 @@ pub use quantity::{
 };
 pub use read_back::{PatternReadError, ReadPattern};
 pub use reading::{
-    BendSettings, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings, ReadOptions,
-    SecondTable, SheetSettings, VarySettings, read_limited, stem,
+    BendSettings, INPUT_ENDINGS, InputError, MAX_INPUT_BYTES, MOST_TOLERANCE_MM, MeshSettings,
+    ReadOptions, SecondTable, SheetSettings, VarySettings, io_error, read_limited, stem,
 };
 pub use refold::{PatternFiles, RefoldFileError, refold_error_mm, refold_files_error_mm};
 pub use report::{

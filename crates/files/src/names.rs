@@ -91,12 +91,13 @@ pub(crate) fn made_for_files(name: &str, most_bytes: usize) -> String {
 pub(crate) struct OwnNames(BTreeMap<String, usize>);
 
 impl OwnNames {
-    /// The name; with a number behind it if another thing has it.
-    pub(crate) fn take(&mut self, name: &str) -> String {
+    /// The name; with a separator and a number behind it if another thing has it.
+    pub(crate) fn take(&mut self, name: &str, separator: char) -> String {
         let first = folded(name);
         let mut next = self.0.get(&first).copied().unwrap_or(1);
         loop {
-            let taken = if next == 1 { name.to_owned() } else { format!("{name} {next}") };
+            let taken =
+                if next == 1 { name.to_owned() } else { format!("{name}{separator}{next}") };
             next += 1;
             if let Entry::Vacant(free) = self.0.entry(folded(&taken)) {
                 free.insert(2);

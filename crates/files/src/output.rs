@@ -14,6 +14,7 @@ use crate::parts::write_parts;
 use crate::pdf::{PdfOptions, Reduced, write_pieces};
 use crate::preset::{DxfRelease, Preset};
 use crate::quads::{PanelQuads, write_quads};
+use crate::reading::InputError;
 use crate::refold::{
     PatternFiles, RefoldFileError, check_lines, refold_finding, refold_piece_error_mm,
 };
@@ -25,7 +26,7 @@ use crate::trade::trade;
 use crate::units::Units;
 use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
-use sheetwright::design::Design;
+use sheetwright::design::{Design, DesignPanel, PanelShape};
 use sheetwright::make::{CutItem, Made, Part, beside_each_other};
 use sheetwright::pattern::{EqualPiece, Piece, TooNarrow};
 use std::collections::{BTreeMap, BTreeSet};
@@ -207,6 +208,25 @@ pub fn formats_for(design: &Design) -> Vec<Format> {
     formats.sort_unstable();
     formats.dedup();
     formats
+}
+
+/// Refuses formats of which a design has no part: those of rulings, where all panels are meshes.
+///
+/// # Errors
+/// The first of these formats.
+pub fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), InputError> {
+    let is_mesh = |panel: &DesignPanel| matches!(panel.shape, PanelShape::Mesh(_));
+    let unmade = formats.iter().find(|format| format.needs_rulings());
+    match unmade {
+        Some(format) if !design.panels.is_empty() && design.panels.iter().all(is_mesh) => {
+            Err(InputError {
+                message: format!("{} can't be made of a mesh, which has no rulings", format.name()),
+                place: None,
+                hint: "Leave the format out, or give boundary curves instead.".to_owned(),
+            })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A file that is ready to be written.

@@ -21,6 +21,23 @@ use std::path::Path;
 /// The most bytes of a file: more than a million rows of 250 characters.
 pub const MAX_INPUT_BYTES: u64 = 256 << 20;
 
+/// The endings of inputs that stand for one kind of input alone.
+pub const INPUT_ENDINGS: [&str; 11] = [
+    ".sheet.json",
+    ".csv",
+    ".tsv",
+    ".xlsx",
+    ".ods",
+    ".svg",
+    ".dxf",
+    ".obj",
+    ".stl",
+    ".ply",
+    ".glb",
+];
+/// The endings of inputs that other files have, too, and of many designs in one file.
+const OTHER_ENDINGS: [&str; 4] = [".json", ".txt", ".jsonl", ".ndjson"];
+
 /// The hint for an unknown ending.
 pub(crate) const TAKEN: &str = "Give a design (.sheet.json or .json), a curve table (.csv), a table \
      of offsets (.csv, .tsv, .txt, .xlsx or .ods), a drawing (.svg or .dxf) or a mesh (.obj, .stl, \
@@ -361,24 +378,7 @@ pub fn stem(name: &str) -> String {
     }
     let file = Path::new(name).file_name().and_then(|n| n.to_str()).unwrap_or(name);
     let lower = file.to_lowercase();
-    const ENDINGS: [&str; 15] = [
-        ".sheet.json",
-        ".json",
-        ".csv",
-        ".tsv",
-        ".txt",
-        ".xlsx",
-        ".ods",
-        ".svg",
-        ".dxf",
-        ".obj",
-        ".stl",
-        ".ply",
-        ".glb",
-        ".jsonl",
-        ".ndjson",
-    ];
-    let ending = ENDINGS.into_iter().find(|e| lower.ends_with(e));
+    let ending = INPUT_ENDINGS.into_iter().chain(OTHER_ENDINGS).find(|e| lower.ends_with(e));
     // Lower case may change the length of other characters, never that of an ASCII ending.
     let kept = file.len() - ending.map_or(0, str::len);
     file.get(..kept).unwrap_or(file).to_owned()
@@ -433,7 +433,7 @@ fn too_large(place: &str) -> InputError {
 }
 
 /// The error for what the system can't read.
-pub(crate) fn io_error(place: &str, error: &io::Error) -> InputError {
+pub fn io_error(place: &str, error: &io::Error) -> InputError {
     // Operating systems word these errors differently; common causes get a text of this program.
     let (message, hint) = match error.kind() {
         io::ErrorKind::NotFound => {

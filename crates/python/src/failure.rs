@@ -7,10 +7,7 @@ use pyo3::types::PyType;
 use sheetwright::design::Design;
 use sheetwright::make::MakeError;
 use sheetwright_files::whole::WriteError;
-use sheetwright_files::{InputError, OutputError, hint_in_design, remedy_for};
-
-/// The hint where the caller can't help it.
-const FAULT: &str = "This is a fault of the program: please report it with the input.";
+use sheetwright_files::{FAULT, InputError, OutputError, hint_in_design, remedy_for};
 
 /// Why a call failed.
 #[derive(Debug)]

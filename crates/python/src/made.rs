@@ -11,12 +11,12 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict};
 use sheetwright::check::Severity;
-use sheetwright::design::{Design, DesignPanel, PanelShape};
+use sheetwright::design::Design;
 use sheetwright::make::{Judging, Made as KernelMade, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
     Format, OutputOptions, Outputs, design_picture, flat_picture, formats_for, output_files,
-    read_input, stacked, write_design,
+    read_input, refuse_unmade, stacked, write_design,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -104,16 +104,8 @@ impl Made {
     fn formats(&self, names: Option<&Vec<String>>) -> Result<Vec<Format>, Failure> {
         let Some(names) = names else { return Ok(formats_for(&self.design)) };
         let formats = formats_of(names)?;
-        let panels = &self.design.panels;
-        let is_mesh = |panel: &DesignPanel| matches!(panel.shape, PanelShape::Mesh(_));
-        let unmade = formats.iter().find(|format| format.needs_rulings());
-        match unmade {
-            Some(format) if panels.iter().all(is_mesh) => Err(Failure::new(
-                format!("{} can't be made of a mesh, which has no rulings", format.name()),
-                "Leave the format out, or give boundary curves instead.",
-            )),
-            _ => Ok(formats),
-        }
+        refuse_unmade(&self.design, &formats)?;
+        Ok(formats)
     }
 
     fn outputs(

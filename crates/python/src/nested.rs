@@ -11,7 +11,7 @@ use sheetwright::math::Point2;
 use sheetwright::nest::{
     Nest, NestForm, NestOptions, NestPart, NestSheet, Turns, first_fault, nest as kernel_nest,
 };
-use sheetwright_files::stock_sheet;
+use sheetwright_files::{FAULT, stock_sheet};
 
 /// A part to lay out, as the Python half hands it over.
 #[derive(FromPyObject)]
@@ -60,8 +60,7 @@ pub(crate) fn nest(
     let options = NestOptions { gap_mm, margin_mm, has_common_lines: false, effort };
     let nest = detached(py, |signals| kernel_nest(&parts, &sheets, options, signals))?;
     if first_fault(&nest, &parts, &sheets, options).is_some() {
-        let hint = "This is a fault of the program: please report it with the input.";
-        Err(Failure::new("the layout does not keep what was asked", hint))?;
+        Err(Failure::new("the layout does not keep what was asked", FAULT))?;
     }
     Ok(Layout { nest, parts })
 }

@@ -2,11 +2,11 @@
 //! of the call. A file that can't be read is an item too: its row says why.
 
 use crate::args::{BatchArgs, StdinFormat};
-use crate::failure::{Failure, INPUT_ENDINGS};
+use crate::failure::Failure;
 use crate::source::STDIN;
 use sheetwright_files::{
-    DesignLine, DesignLines, Ids, InputError, InputFormat, TablePanel, TablePanels, holds_panels,
-    stem,
+    DesignLine, DesignLines, INPUT_ENDINGS, Ids, InputError, InputFormat, TablePanel, TablePanels,
+    holds_panels, io_error, stem,
 };
 use std::collections::VecDeque;
 use std::fs::{self, File};
@@ -229,15 +229,7 @@ impl Iterator for Items {
 }
 
 fn open_file(path: &Path, name: &str) -> Result<Stream, InputError> {
-    let opened = File::open(path).map_err(|error| {
-        let message = match error.kind() {
-            io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            io::ErrorKind::PermissionDenied => "the file may not be read".to_owned(),
-            _ => format!("the file can't be read: {error}"),
-        };
-        let hint = "Check the path, the spelling and the permissions.".to_owned();
-        InputError { message, place: Some(name.to_owned()), hint }
-    })?;
+    let opened = File::open(path).map_err(|error| io_error(name, &error))?;
     Ok(Box::new(BufReader::with_capacity(LOOKED_AT, opened)))
 }
 

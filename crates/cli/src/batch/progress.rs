@@ -1,5 +1,5 @@
-//! How far a batch is, for whoever waits: how many panels, and how many in a second. How many there
-//! will be, no one knows before all inputs are read.
+//! How far a batch is: how many panels are made, and how many in a second. The number of all panels
+//! is known only when all inputs are read.
 
 use crate::voice::Voice;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

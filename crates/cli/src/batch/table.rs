@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 /// So many bytes are written at once.
 const WRITTEN_AT_ONCE: usize = 1 << 16;
 /// So long a row waits for others.
-const WRITTEN_AFTER: Duration = Duration::from_millis(500);
+pub(super) const WRITTEN_AFTER: Duration = Duration::from_millis(500);
 
 /// A table that is written.
 pub(super) struct Table {

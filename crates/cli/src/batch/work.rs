@@ -4,7 +4,6 @@
 use super::inputs::{Item, Work};
 use crate::args::BatchArgs;
 use crate::failure::Failure;
-use crate::make::refuse_unmade;
 use crate::size::sized;
 use crate::source;
 use crate::voice::Voice;
@@ -14,13 +13,12 @@ use sheetwright::triangulate::on_one_thread;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    BatchCount, Format, InputFormat, ReadOptions, RowError, RowHead, TableRows, output_files,
-    refused_for_file, shown,
+    BatchCount, FAULT, Format, InputFormat, ReadOptions, RowError, RowHead, TableRows,
+    output_files, refuse_unmade, refused_for_file, shown,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-const FAULT: &str = "This is a fault of the program: please report it with the input.";
 /// Notes on single inputs would drown in a batch.
 const QUIET: Voice = Voice { json: false, quiet: true };
 

@@ -66,14 +66,14 @@ pub(crate) fn read_hull_table(
     units: GivenUnits,
 ) -> Result<HullTable, InputError> {
     let place = display_name(name);
-    let mut grids = grids(bytes, name, is_workbook)?;
+    let mut grids = grids_in(bytes, name, is_workbook)?;
     if let Some(SecondTable { name: second, bytes }) = second {
         // A file with one table has the quantity that its name says.
         let called = |name: &str| quantity_of(&stem(name).replace(['_', '-'], " "));
         if let [(quantity, _)] = &mut grids[..] {
             *quantity = quantity.or(called(name));
         }
-        let more = self::grids(bytes, second, self::is_workbook(second))?.into_iter();
+        let more = grids_in(bytes, second, self::is_workbook(second))?.into_iter();
         grids.extend(more.map(|(quantity, grid)| (quantity.or(called(second)), grid)));
     }
     let layout = layout::layout(&grids);
@@ -92,7 +92,7 @@ pub(crate) fn read_hull_table(
 }
 
 /// The tables in a file, each with the quantity that the name of its sheet says.
-fn grids(
+fn grids_in(
     bytes: &[u8],
     name: &str,
     is_workbook: bool,

@@ -98,7 +98,7 @@ impl Maker<'_> {
         }
         let Fitted { kind, closed, points, smoothed } = fit;
         let wanted = curve_name(curve.name());
-        let name = self.taken.take(&wanted);
+        let name = self.taken.take(&wanted, ' ');
         if smoothed {
             self.smoothed.push(name.clone());
         }
@@ -147,7 +147,7 @@ impl Maker<'_> {
         for (own, shape) in shapes {
             let first = made_for_files(if is_one { stem } else { &own }, NAME_BYTES);
             let first = if first.is_empty() { "panel".to_owned() } else { first };
-            panels.push(DesignPanel::usual(taken.take(&first), shape));
+            panels.push(DesignPanel::usual(taken.take(&first, ' '), shape));
         }
         let widest = gaps.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0));
         if let Some((widest_mm, at)) = widest {

@@ -123,7 +123,7 @@ pub(crate) fn groups(
     let mut taken = OwnNames::default();
     let group = |group: Built| {
         let (name, triangles) = group.triangles();
-        (taken.take(&name), triangles)
+        (taken.take(&name, ' '), triangles)
     };
     Ok(builder.built()?.into_iter().map(group).collect())
 }

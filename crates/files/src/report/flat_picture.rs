@@ -31,6 +31,10 @@ const LETTER_APART: f64 = 22.0;
 /// The least distance of a letter's middle from lines to cut; its circle has a radius of 9.5.
 const LETTER_CLEAR: f64 = 11.0;
 
+/// The width of a letter of a text in the picture, about, and the height of a line.
+const LETTER: f64 = 7.5;
+const LINE: f64 = 14.0;
+
 /// A stretch of an edge with a letter in the picture, or a side of a seam.
 pub(super) struct Tagged<'a> {
     /// Its letter; of a side of a seam, the mark of the seam.
@@ -166,8 +170,17 @@ pub(super) fn trims(piece: &Piece, place: impl Fn(Point2) -> Point2) -> String {
         }
         body += &drawn.element(class);
     }
+    // The pattern has all texts; here those that have room beside the ones before.
+    let mut taken: Vec<(Point2, f64)> = Vec::new();
     for label in piece.labels.iter().filter(|label| label.kind == LabelKind::OnFace) {
-        body += &text("", Anchor::Middle, place(label.at), &label.text);
+        let (at, half) = (place(label.at), 0.5 * LETTER * label.text.chars().count() as f64);
+        let is_clear = |(other, its_half): &(Point2, f64)| {
+            (at.x - other.x).abs() > half + its_half || (at.y - other.y).abs() > LINE
+        };
+        if taken.iter().all(is_clear) {
+            body += &text("halo", Anchor::Middle, at, &label.text);
+            taken.push((at, half));
+        }
     }
     body
 }

@@ -1,4 +1,5 @@
-//! A file that grows by whole pieces, such as the rows of a table, while others may read it.
+//! A file that grows by whole pieces, such as the rows of a table, while others may read it (not on
+//! Windows, where its lock keeps readers out).
 //!
 //! It stands under its own name from the start: what is in it is of use at once, and a batch of
 //! hours that ends early goes on where it ended. Each piece is handed to the system in one call,
@@ -47,7 +48,11 @@ impl Growing {
     /// # Errors
     /// It can't be read.
     pub fn read(&self) -> Result<BufReader<File>, WriteError> {
-        let read = File::open(&self.path).map(BufReader::new);
+        // On Windows, the lock of the file is in the way of any handle but its own.
+        let read = self.file.try_clone().and_then(|mut file| {
+            file.seek(SeekFrom::Start(0))?;
+            Ok(BufReader::new(file))
+        });
         read.map_err(|error| WriteError::of(&self.path, &error))
     }
 
@@ -81,7 +86,10 @@ impl Growing {
     /// It can't be written, as on a full disk; a part of the piece may be.
     pub fn add(&mut self, piece: &[u8]) -> Result<(), WriteError> {
         let _adding = hold();
-        self.file.write_all(piece).map_err(|error| WriteError::of(&self.path, &error))
+        // A reader of the file has moved its place.
+        let placed = self.file.seek(SeekFrom::End(0));
+        let added = placed.and_then(|_| self.file.write_all(piece));
+        added.map_err(|error| WriteError::of(&self.path, &error))
     }
 }
 
@@ -107,6 +115,9 @@ mod tests {
         let mut text = String::new();
         growing.read().unwrap().read_to_string(&mut text).unwrap();
         assert_eq!(text, "one\ntwo\nthree\n");
+        growing.read().unwrap().read_exact(&mut [0; 2]).unwrap();
+        growing.add(b"four\n").unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "one\ntwo\nthree\nfour\n");
         drop(growing);
         assert!(Growing::open(&path).is_ok());
         std::fs::remove_dir_all(&folder).unwrap();

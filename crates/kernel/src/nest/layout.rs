@@ -52,11 +52,11 @@ impl Placed {
             self.high = self.high.max(p.to_vec() + by);
         };
         // What lies within a distance of a part lies in its box, grown by that.
-        match &shape.hull {
-            (hull, by_mm) if !hull.is_empty() => {
-                hull.iter().for_each(|&p| reach(laid(p), Vec2::splat(*by_mm)));
+        match &shape.boxed {
+            Some(boxed) => {
+                boxed.hull.iter().for_each(|&p| reach(laid(p), Vec2::splat(boxed.by_mm)));
             }
-            _ => self.points.iter().for_each(|&p| reach(p, Vec2::ZERO)),
+            None => self.points.iter().for_each(|&p| reach(p, Vec2::ZERO)),
         }
     }
 }

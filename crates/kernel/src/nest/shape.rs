@@ -63,9 +63,17 @@ pub(super) struct Shape {
     pub(super) upright: Vec<f64>,
     /// The area of the part itself, mm².
     pub(super) area: f64,
-    /// The hull of the part itself where its box is that of this, and by how much it grows, mm;
-    /// else without corners.
-    pub(super) hull: (Vec<Point2>, f64),
+    /// What its box is made of where that is the box of the part; else it is that of its corners.
+    pub(super) boxed: Option<Boxed>,
+}
+
+/// What the box of a part is made of.
+#[derive(Clone, Debug)]
+pub(super) struct Boxed {
+    /// The hull of the part, about the middle of the form.
+    pub(super) hull: Vec<Point2>,
+    /// By how much its box grows, mm.
+    pub(super) by_mm: f64,
 }
 
 impl Shape {
@@ -94,8 +102,10 @@ impl Shape {
             next.extend((1..line.len()).map(|n| first + n));
             next.push(first);
         }
-        let of_part = outline.map_or_else(Vec::new, |outline| convex_hull(outline));
-        let of_part: Vec<Point2> = of_part.iter().map(about).collect();
+        let boxed = outline.map(|outline| {
+            let hull = convex_hull(outline).iter().map(about).collect();
+            Boxed { hull, by_mm }
+        });
         let hull = convex_hull(&loops[0]);
         let points: Vec<Point2> = loops.iter().flatten().copied().collect();
         let radius = points.iter().fold(0.0, |most: f64, p| most.max(p.to_vec().length()));
@@ -107,8 +117,8 @@ impl Shape {
             hull_area: area_of(&hull).abs().max(f64::MIN_POSITIVE),
             radius,
             least_side: size.x.min(size.y).max(1e-6),
-            upright: upright(if of_part.is_empty() { &hull } else { &of_part }),
-            hull: (of_part, by_mm),
+            upright: upright(boxed.as_ref().map_or(&hull, |boxed| &boxed.hull)),
+            boxed,
             points,
             next,
             area,
