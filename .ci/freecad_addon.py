@@ -1,4 +1,4 @@
-"""Runs in FreeCAD without a screen: makes parts of edges and of a mesh, and tells their numbers.
+"""Runs in FreeCAD without a screen: makes parts of edges, faces and a mesh, and tells their numbers.
 
 SHEETWRIGHT_HOSTS names the folder for files, that of the add-on and that of the wheel. .ci/hosts.py
 compares what it tells with the command.
@@ -63,6 +63,64 @@ tube.Mesh = Mesh.Mesh(half.tessellate(0.1))
 skin, pattern = sheets.of_mesh(document, tube, "paper", "Skin")
 told["skin"] = said(skin, pattern)
 tube.Mesh.write(os.path.join(folder, "skin.obj"))
+
+# Faces of solids, whose patterns theory knows.
+
+
+def solid(name, shape):
+    it = document.addObject("Part::Feature", name)
+    it.Shape = shape
+    return it
+
+
+def face_of(it, kind):
+    faces = enumerate(it.Shape.Faces, 1)
+    return next(f"Face{n}" for n, face in faces if isinstance(face.Surface, kind))
+
+
+def faced(name, shape, *kinds, placed=None):
+    it = solid(f"{name}Solid", shape)
+    if placed is not None:
+        assembly = document.addObject("App::Part", f"{name}Assembly")
+        assembly.addObject(it)
+        assembly.Placement.Base = placed
+    names = [face_of(it, kind) for kind in kinds]
+    part, flat = sheets.of_faces(document, it, names, "aluminium-1mm", name)
+    sheets.saved(part, os.path.join(folder, f"{name}.sheet.json"))
+    area = sum(it.Shape.getElement(n).Area for n in names)
+    return said(part, flat) | {
+        "true_area": area, "low": part.Shape.BoundBox.YMin,
+        "tolerance": part.Tolerance.Value}
+
+
+quarter = Part.makeCylinder(500, 200, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 90)
+told["quarter"] = faced("quarter", quarter, Part.Cylinder, placed=FreeCAD.Vector(0, 300, 0))
+tube = Part.makeCylinder(300, 400)
+told["tube"] = faced("tube", tube, Part.Cylinder)
+drill = Part.makeCylinder(60, 1000, FreeCAD.Vector(0, 0, 120), FreeCAD.Vector(1, 1, 0))
+told["drilled"] = faced("drilled", quarter.cut(drill), Part.Cylinder)
+cone = Part.makeCone(600, 300, 400, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 120)
+told["cone"] = faced("cone", cone, Part.Cone)
+plate = Part.makeBox(300, 200, 5).cut(Part.makeCylinder(40, 5, FreeCAD.Vector(150, 100, 0)))
+at_top = [n for n, face in enumerate(plate.Faces, 1) if face.CenterOfMass.z > 4.99]
+top = solid("PlateSolid", plate)
+part, flat = sheets.of_faces(document, top, [f"Face{at_top[0]}"], "aluminium-1mm", "plate")
+told["plate"] = said(part, flat) | {
+    "true_area": plate.Faces[at_top[0] - 1].Area, "tolerance": part.Tolerance.Value}
+# A wall that follows a spline, and the round and the flat of a bent sheet as one.
+spline = Part.BSplineCurve()
+spline.interpolate([FreeCAD.Vector(*p) for p in [(0, 0, 0), (400, 150, 0), (900, 0, 0)]])
+wall = spline.toShape().extrude(FreeCAD.Vector(0, 0, 250))
+told["wall"] = faced("wall", wall, Part.SurfaceOfExtrusion)
+told["wall"]["true_length"] = spline.length()
+bow = Part.Wire([
+    Part.makeLine(FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(300, 0, 0)),
+    Part.Arc(FreeCAD.Vector(300, 0, 0), FreeCAD.Vector(300 + 400 * 0.5**0.5, 400 - 400 * 0.5**0.5, 0),
+             FreeCAD.Vector(700, 400, 0)).toShape(),
+]).extrude(FreeCAD.Vector(0, 0, 250))
+told["bow"] = faced("bow", bow, Part.Plane, Part.Cylinder)
+# A ball is no sheet.
+told["ball"] = faced("ball", Part.makeSphere(100), Part.Sphere)
 
 # What is saved is opened again, and made again.
 path = os.path.join(folder, "hull.FCStd")

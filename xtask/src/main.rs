@@ -12,7 +12,9 @@ mod outputs;
 mod panels;
 mod peers;
 mod quads;
+mod release;
 mod templates;
+mod tools;
 mod trades;
 mod vary;
 mod web;
@@ -33,6 +35,7 @@ const HELP: &str = "Chores of the project:
   cargo xtask panels       writes a curve table of random panels for measuring batches: COUNT SAMPLES FILE
   cargo xtask peers        what bench/peers/run calls; writes bench/peers/README.md: our speed beside CGAL's
   cargo xtask quads        writes docs/quads.md: planar quads and smooth strips, measured
+  cargo xtask release      makes what people install without Rust: --out DIR [--tested-editor]
   cargo xtask templates    writes docs/templates.md and its pictures, from the catalogue
   cargo xtask trades       writes the pictures of docs/trades/
   cargo xtask vary         writes docs/vary-compared.md: what moved curves gain, against the paper
@@ -54,6 +57,7 @@ fn main() -> ExitCode {
         "panels" => panels::write(),
         "peers" => peers::run(),
         "quads" => quads::write(),
+        "release" => release::build().map_err(Into::into),
         "templates" => templates::write(),
         "trades" => trades::write(),
         "vary" => vary::write(),

@@ -15,8 +15,9 @@ const HELP: &str = "`cargo xtask outputs` takes `--with COMMAND --out DIR` and, 
                     `--only TEXT` for the inputs whose names hold it";
 /// The folders with inputs of `make`.
 const INPUTS: [&str; 3] = ["examples", "examples/gallery", "corpus/good"];
-/// The formats for a curve table or a design: all there are. A mesh takes the default.
-const FORMATS: &str = "obj,svg,dxf,pdf,quads,step,report";
+/// The formats for a curve table or a design: all that every one of them has. A mesh takes those
+/// that are written unless formats are named.
+const FORMATS: &str = "obj,svg,dxf,pdf,quads,step,fold,astm,offsets,parts,assembly,report";
 
 /// An input and how it is made.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,9 +2,10 @@
 //!
 //! 1. The crate is compiled for WebAssembly: by the toolchain in PATH if it has the target, else by
 //!    Debian's, which builds the standard library for it on the way.
-//! 2. `wasm-bindgen` writes the script that joins it to a page. No `wasm-opt` after it: the output
-//!    of the compiler for size is smaller once a server has packed it, and older versions of
-//!    `wasm-opt` break it.
+//! 2. `wasm-bindgen`, as a library, writes the script that joins it to a page; `Cargo.lock` keeps
+//!    it at the version that the crate is compiled with, since no other fits. No `wasm-opt` after
+//!    it: the output of the compiler for size is smaller once a server has packed it, and older
+//!    versions of `wasm-opt` break it.
 //! 3. The page is put beside it (`crates/editor/web`), with the colours of the editor's theme, an
 //!    icon in the same colours, and a list of all files under a number made from their contents,
 //!    from which the service worker keeps them for when there is no network.
@@ -12,11 +13,12 @@
 mod icon;
 
 use crate::root;
+use crate::tools::{has_target, read, run, text};
 use std::collections::BTreeMap;
-use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "sheetwright-editor";
@@ -35,6 +37,17 @@ pub(crate) fn build() -> Result<(), String> {
         [flag, folder] if flag == "--out" => out = PathBuf::from(folder),
         _ => return Err(HELP.to_owned()),
     }
+    build_into(&out)
+}
+
+/// The icon, in the colours of the editor's theme, as SVG.
+pub(crate) fn icon() -> Result<String, String> {
+    let theme = text(&root().join("crates/editor/src/theme.rs"))?;
+    icon::svg(&|name| colour(&theme, name))
+}
+
+/// Builds it into this folder.
+pub(crate) fn build_into(out: &Path) -> Result<(), String> {
     let work = root().join("target/web-build");
     let wasm = compile(&work)?;
     let glue = work.join("glue");
@@ -51,10 +64,10 @@ pub(crate) fn build() -> Result<(), String> {
         let page = text(&pages.join(name))?.replace("{{wasm-bytes}}", &size.to_string());
         files.insert(name.to_owned(), coloured(&page, &theme)?.into_bytes());
     }
-    files.insert("icon.svg".to_owned(), icon::svg(&|name| colour(&theme, name))?.into_bytes());
+    files.insert("icon.svg".to_owned(), icon()?.into_bytes());
     let worker = service_worker(&text(&pages.join("sw.js"))?, &files);
     files.insert("sw.js".to_owned(), worker.into_bytes());
-    write(&out, &files)?;
+    write(out, &files)?;
     println!("{} ({:.1} MB of WebAssembly)", out.display(), size as f64 / 1e6);
     Ok(())
 }
@@ -71,9 +84,7 @@ fn compile(work: &Path) -> Result<PathBuf, String> {
 
 /// A cargo that can compile for WebAssembly.
 fn cargo() -> Result<Command, String> {
-    let sysroot = said(Command::new("rustc").args(["--print", "sysroot"]).current_dir(root()));
-    let sysroot = sysroot.unwrap_or_default();
-    if Path::new(&sysroot).join("lib/rustlib").join(TARGET).is_dir() {
+    if has_target(TARGET) {
         return Ok(Command::new("cargo"));
     }
     let debian = ["/usr/bin/cargo", "/usr/bin/rustc", "/usr/lib/rustlib/src/rust/library"];
@@ -95,34 +106,10 @@ fn cargo() -> Result<Command, String> {
 
 /// Writes the script that joins the WebAssembly to a page.
 fn bind(wasm: &Path, glue: &Path) -> Result<(), String> {
-    let mut command = Command::new(wasm_bindgen()?);
-    command.args(["--target", "web", "--no-typescript", "--out-name", "sheetwright", "--out-dir"]);
-    run(command.arg(glue).arg(wasm))
-}
-
-/// The program `wasm-bindgen` of the very version that the crate is compiled with: no other fits.
-fn wasm_bindgen() -> Result<PathBuf, String> {
-    let lock = text(&root().join("Cargo.lock"))?;
-    let version = lock
-        .split_once("name = \"wasm-bindgen\"\nversion = \"")
-        .and_then(|(_, rest)| rest.split('"').next())
-        .ok_or("Cargo.lock names no wasm-bindgen")?;
-    let tools = root().join("target/tools");
-    let ours = tools.join("bin/wasm-bindgen");
-    let fits = |program: &Path| {
-        let said = said(Command::new(program).arg("--version"));
-        said.is_some_and(|said| said.split_whitespace().nth(1) == Some(version))
-    };
-    for program in [ours.as_path(), Path::new("wasm-bindgen")] {
-        if fits(program) {
-            return Ok(program.to_owned());
-        }
-    }
-    println!("installing wasm-bindgen {version} into {}", tools.display());
-    let mut cargo = Command::new("cargo");
-    cargo.args(["install", "--quiet", "wasm-bindgen-cli", "--version", version, "--root"]);
-    run(cargo.arg(&tools))?;
-    if fits(&ours) { Ok(ours) } else { Err(format!("wasm-bindgen {version} can't be had")) }
+    let mut bindgen = Bindgen::new();
+    bindgen.input_path(wasm).out_name("sheetwright").typescript(false);
+    let bound = bindgen.web(true).and_then(|bindgen| bindgen.generate(glue));
+    bound.map_err(|error| format!("{}: {error:#}", wasm.display()))
 }
 
 /// The service worker, with the files that it keeps and their number.
@@ -180,30 +167,6 @@ fn write(out: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
     Ok(())
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, String> {
-    fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
-}
-
-fn text(path: &Path) -> Result<String, String> {
-    String::from_utf8(read(path)?).map_err(|_| format!("{} is no text", path.display()))
-}
-
-fn run(command: &mut Command) -> Result<(), String> {
-    let name = Path::new(command.get_program()).file_name().unwrap_or(OsStr::new("?")).to_owned();
-    let name = name.to_string_lossy();
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{name} has failed ({status})")),
-        Err(error) => Err(format!("{name} can't be run: {error}")),
-    }
-}
-
-/// The standard output of a command; `None` if there is no such command or it fails.
-fn said(command: &mut Command) -> Option<String> {
-    let output = command.output().ok().filter(|output| output.status.success())?;
-    Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -219,7 +182,7 @@ mod tests {
         }
         assert_ne!(colour(&theme, "ground"), colour(&theme, "dark-ground"));
         assert!(colour(&theme, "no-such").is_err());
-        let icon = icon::svg(&|name| colour(&theme, name)).unwrap();
+        let icon = icon().unwrap();
         assert!(icon.starts_with("<svg") && icon.ends_with("</svg>\n"), "{icon}");
     }
 

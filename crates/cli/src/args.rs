@@ -9,7 +9,7 @@ mod values;
 
 pub(crate) use batch::{BatchArgs, Shard};
 pub(crate) use mesh::MeshArgs;
-pub(crate) use source::{InputArgs, SourceArgs, StdinFormat};
+pub(crate) use source::{FormArgs, InputArgs, SourceArgs, StdinFormat};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
@@ -63,6 +63,8 @@ Examples:
   sheetwright make box.stl --out build --split-creases 30
   sheetwright make dinghy.sheet.json --out build --preset lightburn --formats svg,report
   sheetwright make bear.obj --out build --facets --pieces-within a4
+  sheetwright make hull.sheet.json deck.dxf --out build
+      Several inputs: build/hull/ and build/deck/
   sheetwright make dome.sheet.json --out build --sheet 1220x2440mm --gap 6mm
       All parts laid out on sheets of plywood, in sheets.svg and sheets.dxf
   sheetwright make dinghy.sheet.json --out build --vary-warp 6 --vary-limit 5mm
@@ -158,8 +160,13 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct MakeArgs {
+    /// Designs (.sheet.json), curve tables (.csv), tables of offsets (.csv, .tsv, .txt, .xlsx,
+    /// .ods), drawings (.svg, .dxf), meshes (.obj, .stl, .ply, .glb), or - for standard input; of
+    /// several, each has a folder of its own in DIR, called after its file
+    #[arg(value_name = "INPUT", required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
     #[command(flatten)]
-    pub(crate) input: InputArgs,
+    pub(crate) form: FormArgs,
     #[command(flatten)]
     pub(crate) source: SourceArgs,
     /// The folder for the files; it is created if it is missing, and its other files stay

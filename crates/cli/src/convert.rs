@@ -50,7 +50,8 @@ impl Target {
 
 pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
     let target = Target::of(&args.out)?;
-    let design = source::design(&args.input, &args.source, &args.mesh, voice)?;
+    let design =
+        source::design(&args.input.input, &args.input.form, &args.source, &args.mesh, voice)?;
     note_options(&design, &args.mesh, voice);
     match target {
         Target::Table => {
@@ -66,7 +67,7 @@ pub(crate) fn run(args: &ConvertArgs, voice: Voice) -> Result<bool, Failure> {
         Target::Made(format, ending) => {
             refuse_unmade(&design, &[format])?;
             let mut watcher = Watcher::new(voice);
-            let place = source::name(&args.input);
+            let place = source::name(&args.input.input);
             let single = matches!(format, Format::Svg | Format::Dxf);
             if single && design.panels_to_make().len() > 1 {
                 return Err(for_one_panel(ending, &args.out));

@@ -67,18 +67,23 @@ fn too_many(error: &clap::Error) -> Option<String> {
     if error.kind() != ErrorKind::UnknownArgument || extra.starts_with('-') {
         return None;
     }
-    let args: Vec<String> = std::env::args_os().map(|a| a.to_string_lossy().into_owned()).collect();
-    let before = args.iter().position(|arg| arg == extra).and_then(|n| args.get(n.checked_sub(1)?));
-    let number = before.filter(|before| before.ends_with(|c: char| c.is_ascii_digit()));
-    if let Some(number) = number
-        && length_in(&format!("1 {extra}"), Units::Millimetres).is_some()
-    {
-        let hint = format!("Put a value with a space in quotation marks: '{number} {extra}'.");
+    if let Some(hint) = split_value(extra) {
         return Some(hint);
     }
-    let makes = args.iter().any(|arg| ["make", "check"].contains(&arg.as_str()));
-    let ending = INPUT_ENDINGS.iter().find(|ending| extra.ends_with(**ending)).filter(|_| makes)?;
+    let checks = std::env::args_os().any(|arg| arg == "check");
+    let ending =
+        INPUT_ENDINGS.iter().find(|ending| extra.ends_with(**ending)).filter(|_| checks)?;
     Some(format!("Give one input at a time. {}", for_all(&format!("*{ending}"), ending)))
+}
+
+/// What to do where a value with a space, such as 15 3/4in, came as two arguments, of which this is
+/// the second.
+pub(crate) fn split_value(extra: &str) -> Option<String> {
+    let args: Vec<String> = std::env::args_os().map(|a| a.to_string_lossy().into_owned()).collect();
+    let before = args.iter().position(|arg| arg == extra).and_then(|n| args.get(n.checked_sub(1)?));
+    let number = before.filter(|before| before.ends_with(|c: char| c.is_ascii_digit()))?;
+    length_in(&format!("1 {extra}"), Units::Millimetres)?;
+    Some(format!("Put a value with a space in quotation marks: '{number} {extra}'."))
 }
 
 impl From<InputError> for Failure {

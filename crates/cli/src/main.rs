@@ -22,6 +22,11 @@ use failure::Failure;
 use std::process::ExitCode;
 use voice::Voice;
 
+/// The memory of the static command.
+#[cfg(target_env = "musl")]
+#[global_allocator]
+static MEMORY: dlmalloc::GlobalDlmalloc = dlmalloc::GlobalDlmalloc;
+
 /// Done, and no finding is an error.
 const FINE: u8 = 0;
 /// Done, and some finding is an error.

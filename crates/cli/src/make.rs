@@ -1,49 +1,125 @@
-//! `sheetwright make`: every file of a design or a mesh.
+//! `sheetwright make`: every file of a design or a mesh, or of several.
 
-use crate::args::{MakeArgs, MeshArgs};
-use crate::failure::Failure;
+use crate::args::{FormArgs, MakeArgs, MeshArgs};
+use crate::failure::{Failure, split_value};
 use crate::remedies::LONG_REPORT;
 use crate::source;
 use crate::voice::{Voice, found_errors, in_words, print};
 use crate::watcher::Watcher;
 use sheetwright::check::Checked;
-use sheetwright::design::{Design, DesignPanel, PanelShape};
+use sheetwright::design::{Design, DesignPanel};
 use sheetwright::make::{Judging, Made, make_judged};
 use sheetwright_files::whole::Folder;
 use sheetwright_files::{
-    FAULT, Format, OutputOptions, Outputs, ReportForm, findings_json, formats_for, output_files,
-    refuse_unmade, sheets_sentence, timing_json,
+    FAULT, Format, Ids, OutputOptions, Outputs, ReportForm, findings_json, formats_for,
+    output_files, refuse_unmade, refused_for_file, sheets_sentence, stem, timing_json, visible,
 };
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub(crate) fn run(args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
     let start = Instant::now();
-    let design = source::design(&args.input, &args.source, &args.mesh, voice)?;
-    let formats = match &args.formats[..] {
-        [] => formats_for(&design),
-        asked => Format::ALL.into_iter().filter(|format| asked.contains(format)).collect(),
-    };
-    refuse_unmade(&design, &formats)?;
-    note_options(&design, &args.mesh, voice);
-    let job = Job {
-        input: &source::name(&args.input),
-        judging: args.source.judging(Judging::Exact),
-        out: &args.out,
-        formats: &formats,
-        options: args.options(&design),
-        beside: None,
-    };
-    job.run(&design, start, voice)
+    match &args.inputs[..] {
+        [input] => one(&read(input, &args.form, args, voice)?, input, None, args, start, voice),
+        inputs => several(inputs, args, voice),
+    }
 }
 
-fn is_mesh(panel: &DesignPanel) -> bool {
-    matches!(panel.shape, PanelShape::Mesh(_))
+/// Makes several inputs, each into a folder of its own; whether some finding is an error.
+fn several(inputs: &[PathBuf], args: &MakeArgs, voice: Voice) -> Result<bool, Failure> {
+    if args.form.with.is_some() {
+        let hint = "Make the table of offsets alone.";
+        return Err(Failure::new("--with goes with one input", hint));
+    }
+    if inputs.iter().filter(|input| source::is_stdin(input)).count() > 1 {
+        return Err(Failure::new(source::STDIN_TWICE, source::STDIN_TWICE_HINT));
+    }
+    for input in inputs.iter().filter(|input| !source::is_stdin(input) && !input.exists()) {
+        let name = input.display().to_string();
+        if let Some(hint) = split_value(&name) {
+            return Err(Failure::new(format!("unexpected argument '{name}' found"), hint));
+        }
+    }
+    // The format of standard input is not that of the files beside it.
+    let has_stdin = inputs.iter().any(|input| source::is_stdin(input));
+    let form = |input: &Path| {
+        let from = args.form.from.filter(|_| source::is_stdin(input) || !has_stdin);
+        FormArgs { from, with: None }
+    };
+    // All are read before anything is written.
+    let read = |input: &PathBuf| read(input, &form(input), args, voice);
+    let designs: Vec<Design> = inputs.iter().map(read).collect::<Result<_, _>>()?;
+    let folders = folders(inputs, &designs)?;
+    let (mut found_errors, mut failed) = (false, None);
+    for ((input, design), folder) in inputs.iter().zip(&designs).zip(&folders) {
+        match one(design, input, Some(folder), args, Instant::now(), voice) {
+            Ok(found) => found_errors |= found,
+            // One that can't be made keeps none of the others back.
+            Err(failure) => {
+                if let Some(before) = failed.replace(failure) {
+                    voice.fail(&before);
+                }
+            }
+        }
+    }
+    failed.map_or(Ok(found_errors), Err)
+}
+
+/// The folders of several inputs, called after their files; no two have one name.
+fn folders(inputs: &[PathBuf], designs: &[Design]) -> Result<Vec<String>, Failure> {
+    let mut ids = Ids::default();
+    let mut folders = Vec::new();
+    for (input, design) in inputs.iter().zip(designs) {
+        let is_stdin = source::is_stdin(input);
+        let name = if is_stdin { design.name.clone() } else { stem(&input.display().to_string()) };
+        if let Some(why) = refused_for_file(&name).filter(|_| !name.is_empty()) {
+            let message = format!("its folder would be called {}, which {why}", visible(&name));
+            return Err(Failure::new(message, "Rename it.").at(source::name(input)));
+        }
+        folders.push(ids.take(&name, 1 + folders.len() as u64));
+    }
+    Ok(folders)
+}
+
+/// Makes one input, of several into the folder `called`.
+fn one(
+    design: &Design,
+    input: &Path,
+    called: Option<&str>,
+    args: &MakeArgs,
+    start: Instant,
+    voice: Voice,
+) -> Result<bool, Failure> {
+    let job = Job {
+        input: &source::name(input),
+        called,
+        judging: args.source.judging(Judging::Exact),
+        out: &called.map_or(args.out.clone(), |folder| args.out.join(folder)),
+        formats: &formats(design, args),
+        options: args.options(design),
+        beside: None,
+    };
+    job.run(design, start, voice)
+}
+
+fn read(input: &Path, form: &FormArgs, args: &MakeArgs, voice: Voice) -> Result<Design, Failure> {
+    let design = source::design(input, form, &args.source, &args.mesh, voice)?;
+    refuse_unmade(&design, &formats(&design, args))?;
+    note_options(&design, &args.mesh, voice);
+    Ok(design)
+}
+
+/// The formats that are written of a design.
+fn formats(design: &Design, args: &MakeArgs) -> Vec<Format> {
+    match &args.formats[..] {
+        [] => formats_for(design),
+        asked => Format::ALL.into_iter().filter(|format| asked.contains(format)).collect(),
+    }
 }
 
 /// Notes an option that has no effect.
 pub(crate) fn note_options(design: &Design, mesh: &MeshArgs, voice: Voice) {
-    if let (false, Some(given)) = (design.panels.iter().any(is_mesh), mesh.given()) {
+    if let (false, Some(given)) = (design.panels.iter().any(DesignPanel::is_mesh), mesh.given()) {
         voice.note(&format!(
             "note: {given} has no effect: no panel is a mesh, and the others are laid flat exactly"
         ));
@@ -54,6 +130,8 @@ pub(crate) fn note_options(design: &Design, mesh: &MeshArgs, voice: Voice) {
 pub(crate) struct Job<'a> {
     /// How messages name the input.
     pub(crate) input: &'a str,
+    /// What it is called among several: it goes before the names of its parts.
+    pub(crate) called: Option<&'a str>,
     /// What its verdicts come from.
     pub(crate) judging: Judging,
     /// The folder for the files.
@@ -78,7 +156,7 @@ impl Job<'_> {
         // What can't be written to is said before anybody waits.
         let folder = Folder::new(self.out)?;
         let mut watcher = Watcher::new(voice);
-        let mut made = made(design, self.judging, &mut watcher, self.input)?;
+        let mut made = made_with_advice(design, self.judging, &mut watcher, self.input)?;
         made.lay_out(&mut watcher);
         watcher.end();
         let outputs = files(&made, formats, self.options, &mut watcher, self.input)?;
@@ -98,10 +176,14 @@ impl Job<'_> {
             batch.add(name, bytes)?;
             names.push(name.clone());
         }
+        let prefix = self.called.map_or(String::new(), |called| format!("{called}/"));
+        let prefixed = |name: &str| format!("{prefix}{name}");
+        let names: Vec<String> = names.iter().map(|name| prefixed(name)).collect();
         let answer = if voice.json {
             findings_json(&made, &outputs.panels, Some(&names))
         } else {
-            in_words(&names_of(&made), &outputs.panels)
+            let parts: Vec<String> = names_of(&made).into_iter().map(prefixed).collect();
+            in_words(&parts, &outputs.panels)
         };
         // The answer first: where it can't be given, nothing is written.
         print(&answer)?;
@@ -120,7 +202,7 @@ impl Job<'_> {
     }
 }
 
-/// Makes a design; `place` is what it was read from.
+/// Makes a design; `place` is what the design was read from.
 pub(crate) fn made(
     design: &Design,
     judging: Judging,
@@ -128,6 +210,24 @@ pub(crate) fn made(
     place: &str,
 ) -> Result<Made, Failure> {
     let made = make_judged(design, judging, watcher);
+    watcher.end();
+    made.map_err(|error| Failure::of_make(&error, design, place))
+}
+
+/// Makes a design and, where sheets are computed, advises on what will not bend; `place` is what
+/// the design was read from.
+pub(crate) fn made_with_advice(
+    design: &Design,
+    judging: Judging,
+    watcher: &mut Watcher,
+    place: &str,
+) -> Result<Made, Failure> {
+    let mut made = make_judged(design, judging, watcher);
+    if let Ok(made) = &mut made
+        && judging == Judging::Exact
+    {
+        made.advise(watcher);
+    }
     watcher.end();
     made.map_err(|error| Failure::of_make(&error, design, place))
 }

@@ -41,7 +41,7 @@ pub(crate) fn run(args: &NewArgs, voice: Voice) -> Result<bool, Failure> {
         let beside = Some((format!("{}.sheet.json", new.design.name), write_design(&new.design)));
         let options = OutputOptions::of(&new.design);
         let (formats, judging) = (&formats_for(&new.design), Judging::Exact);
-        let job = Job { input: name, judging, out, formats, options, beside };
+        let job = Job { input: name, called: None, judging, out, formats, options, beside };
         return job.run(&new.design, start, voice);
     }
     let bytes = new.bytes();

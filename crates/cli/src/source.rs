@@ -1,6 +1,6 @@
 //! The input of a command, from a file or from standard input.
 
-use crate::args::{InputArgs, MeshArgs, SourceArgs};
+use crate::args::{FormArgs, MeshArgs, SourceArgs};
 use crate::failure::{Failure, for_all};
 use crate::size::sized;
 use crate::voice::Voice;
@@ -14,17 +14,21 @@ use std::io::{self, Read as _};
 use std::path::Path;
 
 pub(crate) const STDIN: &str = "standard input";
+/// The refusal of a call that reads standard input twice.
+pub(crate) const STDIN_TWICE: &str = "standard input is named twice";
+pub(crate) const STDIN_TWICE_HINT: &str = "Name it once.";
 /// The bytes at the beginning of a file in which a comment may name its unit.
 const LOOKED_AT: u64 = 1 << 14;
 
 /// The design that the input holds, with its meshes laid flat as these arguments say.
 pub(crate) fn design(
-    input: &InputArgs,
+    input: &Path,
+    form: &FormArgs,
     args: &SourceArgs,
     mesh: &MeshArgs,
     voice: Voice,
 ) -> Result<Design, Failure> {
-    settled(read(input, args, mesh)?, args, voice)
+    settled(read(input, form, args, mesh)?, args, voice)
 }
 
 /// The design in a file.
@@ -65,10 +69,15 @@ fn read_file(path: &Path, options: &ReadOptions) -> Result<Read, Failure> {
     Ok(Read { format, said, design, notes })
 }
 
-fn read(input: &InputArgs, args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, Failure> {
-    let second_table = input.with.as_deref().map(second_table).transpose()?;
+fn read(
+    input: &Path,
+    form: &FormArgs,
+    args: &SourceArgs,
+    mesh: &MeshArgs,
+) -> Result<Read, Failure> {
+    let second_table = form.with.as_deref().map(second_table).transpose()?;
     let options = ReadOptions { second_table, ..options(args, mesh) };
-    match (input.input == Path::new("-"), input.from) {
+    match (is_stdin(input), form.from) {
         (true, Some(from)) => {
             let bytes = read_limited(io::stdin().lock(), STDIN)?;
             let format = from.format();
@@ -96,8 +105,8 @@ fn read(input: &InputArgs, args: &SourceArgs, mesh: &MeshArgs) -> Result<Read, F
                 "Leave --from out: the ending of a file's name tells its format.",
             ))
         }
-        (false, None) if input.input.is_dir() => Err(folder(&input.input)),
-        (false, None) => read_file(&input.input, &options),
+        (false, None) if input.is_dir() => Err(folder(input)),
+        (false, None) => read_file(input, &options),
     }
 }
 
@@ -159,6 +168,10 @@ fn in_shell(path: &Path) -> String {
 }
 
 /// How messages name the input.
-pub(crate) fn name(args: &InputArgs) -> String {
-    if args.input == Path::new("-") { STDIN.to_owned() } else { args.input.display().to_string() }
+pub(crate) fn name(input: &Path) -> String {
+    if is_stdin(input) { STDIN.to_owned() } else { input.display().to_string() }
+}
+
+pub(crate) fn is_stdin(input: &Path) -> bool {
+    input == Path::new("-")
 }

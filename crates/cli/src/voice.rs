@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::remedies::with_options;
 use sheetwright::check::{Checked, Place, Severity, Verdict};
 use sheetwright_files::{error_json, finding_place, finding_text, visible};
+use std::fmt::Display;
 use std::io::{self, Write};
 
 /// How the command speaks.
@@ -67,7 +68,7 @@ pub(crate) fn print_as_it_is(bytes: &[u8]) -> Result<(), Failure> {
 
 /// The verdict on every panel in words, each followed by its findings, one a line, with the options
 /// that help.
-pub(crate) fn in_words(names: &[&str], panels: &[Checked]) -> String {
+pub(crate) fn in_words<T: Display>(names: &[T], panels: &[Checked]) -> String {
     let mut text = String::new();
     for (name, checked) in names.iter().zip(panels) {
         let verdict = match checked.verdict {

@@ -376,10 +376,15 @@ fn tree(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 #[cfg(unix)]
 fn a_batch_that_is_stopped_says_how_it_goes_on() {
     let desk = Desk::new();
-    desk.write("t.csv", &facade(400, 60));
+    // Far more than are made before the signal comes, however loaded the machine is.
+    desk.write("t.csv", &facade(1500, 60));
     let mut command = desk.command("batch t.csv --table rows.csv --verdict exact");
-    let child = command.stderr(Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(1500));
+    let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
+    let has_rows = || fs::metadata(desk.path("rows.csv")).is_ok_and(|of| of.len() > 0);
+    while !has_rows() {
+        assert_eq!(child.try_wait().unwrap(), None);
+        std::thread::sleep(Duration::from_millis(50));
+    }
     let pid = child.id().to_string();
     assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();

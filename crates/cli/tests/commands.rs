@@ -155,6 +155,55 @@ fn make_writes_every_format_or_those_asked_for() {
     assert_eq!(names_in(&desk.path("few")), ["one.dxf", "surface.obj", "two.dxf"]);
 }
 
+/// Each input has a folder of its own; one that can't be made keeps none back, one that can't be
+/// read keeps all back.
+#[test]
+fn several_inputs_have_folders_of_their_own() {
+    let desk = Desk::new(&[
+        ("two.sheet.json", TWO_PANELS),
+        ("square.csv", SQUARE),
+        ("crossed.csv", "x,y,z,corner\n0,0,0,1\n9,9,0,1\n9,0,0,1\n0,9,0,1\n"),
+        ("broken.csv", "x,y\n0,0\n"),
+    ]);
+    fs::create_dir(desk.path("sub")).unwrap();
+    fs::copy(desk.path("square.csv"), desk.path("sub/square.csv")).unwrap();
+    let inputs = "square.csv two.sheet.json sub/square.csv";
+    let (said, _) = desk.says(&format!("make {inputs} --out all --formats svg"), 0);
+    let verdicts: Vec<&str> = said.lines().filter(|line| !line.starts_with(' ')).collect();
+    let all =
+        ["square/square: bends", "two/one: bends", "two/two: bends", "square-2/square: bends"];
+    assert_eq!(verdicts, all);
+    desk.says("make two.sheet.json --out alone --formats svg", 0);
+    for name in ["one.svg", "two.svg"] {
+        let bytes = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
+        assert_eq!(bytes("all/two"), bytes("alone"), "{name}");
+    }
+    let (said, _) = desk.says(&format!("make {inputs} --out json --formats svg --json"), 0);
+    let names: Vec<String> = said
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).unwrap()["files"][0].to_string())
+        .collect();
+    assert_eq!(names, [r#""square/square.svg""#, r#""two/one.svg""#, r#""square-2/square.svg""#]);
+    let mut child = desk.command("make two.sheet.json - --from csv --out piped --formats svg");
+    let mut child = child.stdin(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(SQUARE.as_bytes()).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_eq!(names_in(&desk.path("piped")).len(), 2);
+    let (_, error) = desk.says("make crossed.csv square.csv --out some --formats svg", 2);
+    assert!(error.contains("error: crossed.csv: "), "{error}");
+    assert_eq!(names_in(&desk.path("some")), ["square"]);
+    let (_, error) = desk.says("make square.csv broken.csv --out none", 2);
+    assert!(error.contains("broken.csv"), "{error}");
+    assert!(!desk.path("none").exists());
+    for (args, words) in [
+        ("make - - --out none", "standard input is named twice"),
+        ("make square.csv two.sheet.json --with square.csv --out none", "--with goes with one"),
+    ] {
+        let (_, error) = desk.says(args, 2);
+        assert!(error.contains(words), "{args}: {error}");
+    }
+}
+
 #[test]
 fn the_same_input_gives_the_same_bytes() {
     let desk = Desk::new(&[("two.sheet.json", TWO_PANELS)]);

@@ -18,6 +18,7 @@ use crate::pages::palette::Palette;
 use crate::pages::start::{Offers, StartAct, StartPage};
 use crate::pages::tour::Tour;
 use crate::pages::typed::TypedPath;
+use crate::pages::unit::unit_ui;
 use crate::pages::unsaved::unsaved_ui;
 use crate::pages::vary::{VaryAct, VaryPage};
 use crate::panes::plan::PlanPane;
@@ -168,7 +169,7 @@ impl App {
         match self.start.ui(ui, theme, &offers, acts) {
             Some(StartAct::Take { document, is_safe }) => {
                 let draft = Draft { document: *document, file: None };
-                let coming = Coming { draft, is_safe, source: Source::Shape };
+                let coming = Coming { draft, is_safe, source: Source::Shape, said: None };
                 self.editor.leave_for(Next::Document(Box::new(coming)));
             }
             Some(StartAct::Recent(path)) => self.open_path(&path),
@@ -242,6 +243,17 @@ impl App {
                 }
                 stays
             }
+            Page::Unit => {
+                let Some(of) = self.editor.unitless() else {
+                    self.editor.page = Page::Panes;
+                    return;
+                };
+                let (stays, unit) = unit_ui(ctx, of);
+                if unit.is_some() || !stays {
+                    self.editor.unit_is(unit);
+                }
+                stays
+            }
         };
         // What was chosen on a page may have opened another.
         if !stays && self.editor.page == page {
@@ -293,7 +305,7 @@ fn reaches(command: Command, page: Page) -> bool {
             is_of_window || begins || opens
         }
         Page::Palette => matches!(command, C::Escape | C::Stop),
-        Page::Export | Page::Vary | Page::Keys | Page::Calibrate => is_of_window,
+        Page::Export | Page::Vary | Page::Keys | Page::Calibrate | Page::Unit => is_of_window,
     }
 }
 

@@ -7,7 +7,7 @@ mod jobs;
 mod leave;
 mod notice;
 
-pub use files::{Dropped, FileWish, Opened};
+pub use files::{Dropped, FileWish, Opened, Unitless};
 pub(crate) use files::{PICTURES, name_of};
 pub use jobs::Work;
 pub use leave::{Coming, Decision, Next, Source};
@@ -68,6 +68,8 @@ pub struct Editor {
     varied: Option<Result<Box<Varied>, Refusal>>,
     /// Two places of the picture, mm, until their distance is typed.
     calibrated: Option<[Point2; 2]>,
+    /// A table that is opened once the person has said in which unit its numbers are.
+    unitless: Option<Unitless>,
     /// The name of the file, the version of the document that it holds, and that document, if it is
     /// known: undo comes back to it with another version.
     file: Option<String>,
@@ -105,6 +107,8 @@ pub enum Page {
     Keys,
     /// How far two places of the picture are apart.
     Calibrate,
+    /// In which unit the numbers of a table are.
+    Unit,
 }
 
 /// How large things are to be.
@@ -143,6 +147,7 @@ impl Editor {
             jobs: Jobs::new(Engine::new(wake)),
             varied: None,
             calibrated: None,
+            unitless: None,
             file: None,
             saved_version: 0,
             saved_document: Some(Document::default()),
@@ -208,6 +213,11 @@ impl Editor {
     /// Whether what is shown is what the document makes, to its last sample.
     pub fn is_settled(&self) -> bool {
         self.jobs.is_settled(self.history.version())
+    }
+
+    /// Whether it is known, too, where to divide what will not bend.
+    pub fn is_advised(&self) -> bool {
+        self.jobs.is_advised(self.history.version())
     }
 
     /// What is seen where there is no room for everything.

@@ -10,7 +10,8 @@ use crate::theme::Theme;
 use eframe::egui::{self, Id, Key, RichText, Ui};
 use sheetwright::design::StockSheet;
 use sheetwright_files::{
-    Units, length_text, read_angle, read_length, read_lengths, read_number, step_text, stock_sheet,
+    Units, length_text, piece_size, piece_size_text, read_angle, read_length, read_lengths,
+    read_number, step_text, stock_sheet,
 };
 use std::ops::RangeInclusive;
 
@@ -153,6 +154,29 @@ impl Field<'_> {
                     there are three, roll:1370mm for a roll; or several with commas between them. \
                     Empty: parts are not laid out.";
         self.typed(ui, shown, hint, read)
+    }
+
+    /// The largest size of a piece, in these units where none is typed. `Some` with the new one,
+    /// mm, when another was typed; within it `None` where the text is empty.
+    #[expect(clippy::option_option, reason = "typed or not, and then limited or not")]
+    pub(crate) fn piece_size(
+        &self,
+        ui: &mut Ui,
+        size: Option<[f64; 2]>,
+        units: Units,
+    ) -> Option<Option<[f64; 2]>> {
+        let read = |text: &str| match text.trim() {
+            "" => Ok(None),
+            text => piece_size(text).map(|read| {
+                // The names of papers end in digits, too, and take no unit.
+                let is_bare = text.ends_with(|c: char| c.is_ascii_digit());
+                let in_units = piece_size(&format!("{text}{}", units.name()));
+                Some(in_units.ok().filter(|_| is_bare).unwrap_or(read))
+            }),
+        };
+        let hint = "Type the paper that every piece of facets has to fit, such as A4, or a width \
+                    and a height such as 280x200mm. Empty: pieces are as large as they come.";
+        self.typed(ui, &size.map_or_else(String::new, piece_size_text), hint, read)
     }
 
     /// Puts the cursor into the field, once it has been shown, to type over what is there.

@@ -4,6 +4,7 @@
 //! field stays where it is while somebody types into it. Each field belongs to the thing by its
 //! name, so that what is typed never lands in another.
 
+mod mesh;
 mod sheets;
 mod trims;
 
@@ -18,13 +19,11 @@ use crate::panes::words::decimal;
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, ComboBox, Id, RichText, Ui};
+use mesh::{mesh_ui, size_ui};
 use sheets::sheets_ui;
 use sheetwright::boundary::PlaneChoice;
-use sheetwright::design::{
-    Design, DesignPanel, Dimensions, PanelMesh, PanelShape, SampleTolerance,
-};
-use sheetwright::flatten::Aim;
-use sheetwright::math::{Point2, from_deg, to_deg};
+use sheetwright::design::{Design, DesignPanel, Dimensions, PanelShape, SampleTolerance};
+use sheetwright::math::Point2;
 use sheetwright::triangulate::WhichSurface;
 use sheetwright_files::{
     MOST_TOLERANCE_MM, OutputOptions, Preset, Units, known_materials, material_group, trade_names,
@@ -47,8 +46,6 @@ const TOLERANCES: RangeInclusive<f64> = 0.01..=MOST_TOLERANCE_MM;
 const FIRST_TOLERANCE_MM: f64 = 0.1;
 /// How far lines of a grid may be apart, mm.
 const GRIDS: RangeInclusive<f64> = 0.01..=1e6;
-/// Creases above this angle, degrees, divide a mesh where a person has not said which.
-const SPLIT_CREASES_DEG: f64 = 30.0;
 
 /// All fields.
 pub(crate) fn fields_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
@@ -211,7 +208,9 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         }
         let mut to = panel.clone();
         if let PanelShape::Mesh(mesh) = &mut to.shape {
-            mesh_ui(ui, &field, mesh);
+            let shown = editor.shown().iter().filter(|shown| shown.panel == panel.name);
+            size_ui(ui, editor.document(), theme, acts);
+            mesh_ui(ui, &field, mesh, editor.document().drawing.units, &shown.collect::<Vec<_>>());
             if to != *panel {
                 acts.push(Act::Edit(Edit::SetPanel { panel: n, to: Box::new(to) }));
             }
@@ -244,6 +243,10 @@ fn panel_ui(ui: &mut Ui, editor: &Editor, theme: &Theme, acts: &mut Vec<Act>) {
         if matches!(to.shape, PanelShape::Rails(_)) {
             ui.checkbox(&mut to.run_on, "Rails run on beyond the ends");
         }
+        ui.checkbox(&mut to.slides, "Edges slide while it is bent").on_hover_text(
+            "On: the edges may slide along the boundary, as those of a plank that is pulled onto its \
+             stringers before it is fastened. Off: every point of an edge is held.",
+        );
         if to != *panel {
             acts.push(Act::Edit(Edit::SetPanel { panel: n, to: Box::new(to) }));
         }
@@ -396,41 +399,6 @@ fn samples_ui<'a>(
              along an edge it is up to {shorter} mm shorter."
         ));
     }
-}
-
-/// How a mesh is laid flat.
-fn mesh_ui<'a>(ui: &mut Ui, field: &impl Fn(&'a str) -> Field<'a>, mesh: &mut PanelMesh) {
-    let titles = [
-        (Aim::Mean, "Mean length error"),
-        (Aim::Max, "Largest length error"),
-        (Aim::Seams, "Border exact"),
-    ];
-    let title = titles.iter().find(|(aim, _)| *aim == mesh.aim).map_or("", |(_, title)| title);
-    ComboBox::from_label("Made small").selected_text(title).width(150.0).show_ui(ui, |ui| {
-        for (aim, title) in titles {
-            ui.selectable_value(&mut mesh.aim, aim, title);
-        }
-    });
-    let mut divides = mesh.split_creases.is_some();
-    if ui.checkbox(&mut divides, "Divide along creases").changed() {
-        mesh.split_creases = divides.then(|| from_deg(SPLIT_CREASES_DEG));
-    }
-    if let Some(crease) = mesh.split_creases
-        && let Some(deg) = field("Creases above, °").number(ui, to_deg(crease), 1.0..=179.0)
-    {
-        mesh.split_creases = Some(from_deg(deg));
-    }
-    let titles =
-        [(None, "Folded where meant"), (Some(true), "Folded"), (Some(false), "Not folded")];
-    let title = titles.iter().find(|(facets, _)| *facets == mesh.facets).map_or("", |t| t.1);
-    ComboBox::from_label("Facets").selected_text(title).width(150.0).show_ui(ui, |ui| {
-        for (facets, title) in titles {
-            ui.selectable_value(&mut mesh.facets, facets, title);
-        }
-    });
-    ui.checkbox(&mut mesh.darts, "Cut to the worst points").on_hover_text(
-        "Where the mesh would stretch by more than the limit of the sheet, cut it from its border.",
-    );
 }
 
 /// Units, grid, mirror and the picture.

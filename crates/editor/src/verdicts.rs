@@ -9,7 +9,7 @@ use crate::panes::words::{length, radius};
 use crate::scene::Act;
 use crate::theme::Theme;
 use eframe::egui::{self, Align, Button, Color32, Frame, Layout, Margin, RichText, Ui, vec2};
-use sheetwright::check::{Finding, Place, Severity, Verdict};
+use sheetwright::check::{Finding, FindingKind, Place, Severity, Verdict};
 use sheetwright_files::{finding_place, finding_text, verdict_sentence, verdict_word};
 
 /// Findings that are shown at once.
@@ -186,14 +186,26 @@ fn made_ui(
         let text = format!("Tightest bend {} radius", radius(shown.bend_radius_min_mm, units));
         ui.label(RichText::new(text).color(theme.faint));
     }
-    let (first, rest) = shown.findings.split_at(shown.findings.len().min(FINDINGS));
-    first.iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
+    let (first, rest) = first_findings(&shown.findings);
+    first.into_iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
     if !rest.is_empty() {
         let title = format!("{} more", rest.len());
         egui::CollapsingHeader::new(title).id_salt(("more", n)).show(ui, |ui| {
-            rest.iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
+            rest.into_iter().for_each(|finding| finding_ui(ui, theme, n, finding, acts));
         });
     }
+}
+
+/// The findings that are shown at once, and the others: whether dividing helps answers the verdict
+/// and comes late, so it is always shown.
+fn first_findings(findings: &[Finding]) -> (Vec<&Finding>, Vec<&Finding>) {
+    let mut number = 0;
+    findings.iter().partition(|finding| {
+        number += 1;
+        let kind = &finding.kind;
+        number <= FINDINGS
+            || matches!(kind, FindingKind::BendsDivided { .. } | FindingKind::DividedInVain { .. })
+    })
 }
 
 fn name_ui(ui: &mut Ui, editor: &Editor, n: usize, panel: &ShownPanel, acts: &mut Vec<Act>) {

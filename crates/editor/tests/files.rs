@@ -181,6 +181,46 @@ fn a_mesh_is_a_panel_that_is_shown_set_and_saved_as_a_design() {
     assert_eq!(hands.app().editor().page, Page::Export);
 }
 
+/// As the command does: numbers that are too small for millimetres are metres, which is said.
+#[test]
+fn a_small_mesh_without_a_unit_is_read_in_metres_and_said_so() {
+    let extent = |text: &str| {
+        let mut hands = Hands::new(SIZE, false);
+        hands.step();
+        dropped(&mut hands, vec![("/a/box.obj", Ok(text.as_bytes().to_vec()))]);
+        hands.settle();
+        (hands.app().editor().document().design.extent_mm(), notice(&hands))
+    };
+    let faces = "v 0 0 0\nv 0.9 0 0\nv 0 0.9 0\nv 0 0 0.7\nf 1 2 3\nf 1 4 2\n";
+    let (in_metres, said) = extent(faces);
+    assert_eq!(in_metres, 900.0);
+    assert!(said.contains("it is read in metres"), "{said}");
+    let (in_inches, said) = extent(&format!("# File units = inches\n{faces}"));
+    assert!((in_inches - 22.86).abs() < 1e-9 && !said.contains("metres"), "{in_inches} {said}");
+}
+
+/// A table of offsets that names no unit is opened once the unit is chosen.
+#[test]
+fn the_unit_of_a_table_is_asked_for_where_it_names_none() {
+    const HULL: &[u8] = b"Station,0,1,2\nPosition,0,40,80\nHeights\nSheer,20,18,19\n\
+        Chine,5,4,6\nHalf-breadths\nSheer,22,25,20\nChine,15,18,13\n";
+    let mut hands = Hands::new(SIZE, false);
+    hands.step();
+    dropped(&mut hands, vec![("/a/hull.csv", Ok(HULL.to_vec()))]);
+    hands.settle();
+    assert_eq!(hands.app().editor().page, Page::Unit);
+    assert!(hands.sees("hull.csv does not say in which unit its numbers are."));
+    hands.harness.get_by_label("in: 2.032 m long").click();
+    hands.settle();
+    let editor = hands.app().editor();
+    assert_eq!(editor.page, Page::Panes);
+    let sheer = &editor.document().design.curves[0].points[1].at;
+    assert_eq!([sheer.x, sheer.y, sheer.z], [40.0, 25.0, 18.0].map(|n| n * 25.4));
+    // A table that can't be read in any unit is refused at once.
+    dropped(&mut hands, vec![("/a/broken.csv", Ok(b"Station,0,1\nSheer height,x,y z\n".to_vec()))]);
+    assert_eq!(hands.app().editor().page, Page::Panes);
+}
+
 #[test]
 fn a_dropped_picture_lies_under_the_plan() {
     let mut hands = Hands::new(SIZE, false);

@@ -7,6 +7,8 @@ mod hands;
 
 use eframe::egui::vec2;
 use hands::{Hands, round};
+use sheetwright::check::Place;
+use sheetwright::design::Design;
 use sheetwright_editor::command::Command;
 use sheetwright_editor::document::{Document, Edit, PointRef, Selection};
 use sheetwright_editor::room::WindowPart;
@@ -14,6 +16,8 @@ use sheetwright_editor::scene::Act;
 use sheetwright_editor::theme::Look;
 use sheetwright_editor::views::SurfaceView;
 use sheetwright_files::{design_from_template, usual_trim};
+use sheetwright_shapes::bent;
+use sheetwright_shapes::materials::steel;
 use std::path::{Path, PathBuf};
 
 fn keep(hands: &mut Hands, folder: &Path, name: &str) {
@@ -100,6 +104,22 @@ fn pictures_are_taken_where_somebody_asks() {
             hands.move_to(at);
             keep(&mut hands, &folder, &format!("{name}-{template}-under-the-hand"));
         }
+        // Where to divide a panel that will not bend.
+        let design = Design { material: Some(steel(5.0)), ..bent::twisted(90.0) };
+        let document = Document { design, ..Document::default() };
+        hands.harness.state_mut().editor_mut().replace(document, None);
+        hands.advise();
+        let shown = hands.app().editor().shown()[0].made.clone().unwrap();
+        let is_line = |place: &&Place| matches!(place, Place::Lines { .. });
+        let place = shown.findings.iter().map(|finding| &finding.place).find(is_line).unwrap();
+        let lines = Act::Show(Selection::of_place(0, place.clone()));
+        hands.harness.state_mut().editor_mut().carry_out(lines);
+        hands.harness.run_steps(40);
+        keep(&mut hands, &folder, &format!("{name}-divided"));
+        let design = design_from_template("dinghy", &[]);
+        let document = Document { design: design.unwrap(), ..Document::default() };
+        hands.harness.state_mut().editor_mut().replace(document, None);
+        hands.settle();
         // What is done along a selected edge.
         let kinds = ["hem", "holes", "notches"].into_iter();
         let kinds = kinds.filter_map(|kind| usual_trim(kind, None)).collect();

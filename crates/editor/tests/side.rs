@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 mod hands;
+#[path = "side/meshes.rs"]
+mod meshes;
 #[path = "side/workshop.rs"]
 mod workshop;
 

@@ -8,13 +8,13 @@ use sheetwright::fair::VaryCause;
 use sheetwright::flatten::{FlattenError, RelaxError};
 use sheetwright::make::{MakeCause, MakeError};
 use sheetwright::mark::MarkFault;
-use sheetwright::mesh::MeshError;
+use sheetwright::mesh::{MeshError, SeamFault};
 use sheetwright::sample::PanelCause;
 use sheetwright::surface::ConnectivityError;
 use sheetwright::triangulate::TriangulateError;
 use sheetwright::trim::TrimFault;
 
-/// The hint where nobody but the developers can help it.
+/// The hint of errors that only the developers can mend.
 pub const FAULT: &str = "This is a fault of the program: please report it with the input.";
 
 /// What to do about the error: one sentence or more.
@@ -33,9 +33,21 @@ pub fn hint_for(error: &MakeError) -> String {
              points by distance in the program that exported it, or export it as STL."
                 .to_owned()
         }
+        MakeCause::Seam(fault) => sewing(*fault).to_owned(),
         MakeCause::Relax(error) => relaxing(*error).to_owned(),
         MakeCause::Trim(fault) => trimming(fault).to_owned(),
         MakeCause::Mark(fault) => marking(fault).to_owned(),
+    }
+}
+
+/// What to do about a seam that can't be cut.
+fn sewing(fault: SeamFault) -> &'static str {
+    match fault {
+        SeamFault::Off { .. } => "Give points of the mesh, in the units of the design.",
+        SeamFault::Apart { .. } => "Begin another seam where the next part begins.",
+        SeamFault::TooLong => {
+            "Give every vertex that the seams pass, and merge the points of the mesh by distance."
+        }
     }
 }
 

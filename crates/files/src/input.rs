@@ -168,8 +168,8 @@ pub fn read_bytes(
     check_options(format, options)?;
     let mut design = match format {
         InputFormat::Mesh(format) => {
-            let notes = linework::lines_beside(format, bytes);
-            Design { notes, ..mesh::read(format, bytes, name, options)? }
+            let (design, seams) = mesh::read(format, bytes, name, options)?;
+            Design { notes: linework::lines_beside(format, bytes, seams), ..design }
         }
         InputFormat::Drawing(format) => linework::read(format, bytes, name, options)?,
         InputFormat::Design => design_json::read(text_of(bytes, name)?, name, folder, options)?,
@@ -293,7 +293,16 @@ pub(crate) fn check_options(format: InputFormat, options: &ReadOptions) -> Resul
     }
     if let InputFormat::Mesh(_) = format {
         let ReadOptions {
-            samples, tolerance_mm, fold, effort, method, plane, vary, sheets, ..
+            samples,
+            tolerance_mm,
+            fold,
+            effort,
+            method,
+            plane,
+            slides,
+            vary,
+            sheets,
+            ..
         } = options;
         let given = [
             ("samples", samples.is_some()),
@@ -302,6 +311,7 @@ pub(crate) fn check_options(format: InputFormat, options: &ReadOptions) -> Resul
             ("an effort", effort.is_some() && sheets.sheets.is_empty()),
             ("a method", method.is_some()),
             ("a plane", plane.is_some()),
+            ("a slide of edges", slides.is_some()),
             ("moving", *vary != VarySettings::default()),
         ];
         if let Some((what, _)) = given.into_iter().find(|(_, given)| *given) {

@@ -7,9 +7,14 @@
 //!
 //! ```
 //! use sheetwright::{Unwatched, make};
-//! use sheetwright_files::{Format, OutputOptions, ReadOptions, output_files, read_input};
+//! use sheetwright_files::{
+//!     Format, InputFormat, OutputOptions, ReadOptions, output_files, read_bytes,
+//! };
 //!
-//! let design = read_input("../../examples/leaf.csv".as_ref(), &ReadOptions::default())?;
+//! // A curve table as a spreadsheet saves it: a square of 100 mm with one corner lifted by 20 mm.
+//! let table = "x,y,z,corner\n0,0,0,1\n100,0,0,1\n100,100,20,1\n0,100,0,1\n";
+//! let options = ReadOptions::default();
+//! let design = read_bytes(InputFormat::Table, table.as_bytes(), "leaf", None, &options)?;
 //! let made = make(&design, &mut Unwatched)?;
 //! let outputs = output_files(&made, &[Format::Svg, Format::Dxf], OutputOptions::default())?;
 //! let names: Vec<&str> = outputs.files.iter().map(|file| &file.name[..]).collect();
@@ -45,6 +50,7 @@ mod offsets;
 mod output;
 mod parts;
 mod pdf;
+mod piece_size;
 mod preset;
 mod quads;
 mod quantity;
@@ -64,7 +70,7 @@ mod template_call;
 mod trade;
 mod units;
 mod unzip;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(all(target_arch = "wasm32", target_os = "unknown")))]
 pub mod whole;
 mod wording;
 mod words;
@@ -97,6 +103,7 @@ pub use output::{
     OutputError, OutputFile, OutputOptions, Outputs, formats_for, output_files, refuse_unmade,
 };
 pub use pdf::{MaxSheets, Paper, PdfOptions, Reduced, RollWidth, WrittenPdf, write_pdf};
+pub use piece_size::{piece_size, piece_size_text};
 pub use preset::{DxfRelease, Preset};
 pub use quads::{PanelQuads, write_quads};
 pub use quantity::{

@@ -26,7 +26,7 @@ use crate::trade::trade;
 use crate::units::Units;
 use sheetwright::bend::Hit;
 use sheetwright::check::{Checked, Finding, FindingKind, braking};
-use sheetwright::design::{Design, DesignPanel, PanelShape};
+use sheetwright::design::{Design, DesignPanel};
 use sheetwright::make::{CutItem, Made, Part, beside_each_other};
 use sheetwright::pattern::{EqualPiece, Piece, TooNarrow};
 use std::collections::{BTreeMap, BTreeSet};
@@ -215,10 +215,11 @@ pub fn formats_for(design: &Design) -> Vec<Format> {
 /// # Errors
 /// The first of these formats.
 pub fn refuse_unmade(design: &Design, formats: &[Format]) -> Result<(), InputError> {
-    let is_mesh = |panel: &DesignPanel| matches!(panel.shape, PanelShape::Mesh(_));
     let unmade = formats.iter().find(|format| format.needs_rulings());
     match unmade {
-        Some(format) if !design.panels.is_empty() && design.panels.iter().all(is_mesh) => {
+        Some(format)
+            if !design.panels.is_empty() && design.panels.iter().all(DesignPanel::is_mesh) =>
+        {
             Err(InputError {
                 message: format!("{} can't be made of a mesh, which has no rulings", format.name()),
                 place: None,

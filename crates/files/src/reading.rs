@@ -296,6 +296,9 @@ pub struct ReadOptions {
     pub which: Option<WhichSurface>,
     /// The supporting plane of every panel. Default: as the design says, or `auto`.
     pub plane: Option<PlaneChoice>,
+    /// Whether the edges of every panel slide along its boundary while it is bent. Default: as the
+    /// design says; of a table or a drawing they are held.
+    pub slides: Option<bool>,
     /// The unit of a curve table, a drawing or a mesh. Default: of a mesh, the one that a comment
     /// in it names, of a drawing, the one that it states; else millimetres. A design states its
     /// own.

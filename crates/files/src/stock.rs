@@ -51,12 +51,17 @@ pub fn stock_sheet(text: &str) -> Result<StockSheet, String> {
 pub fn stock_text(sheet: &StockSheet) -> Option<String> {
     let count = sheet.count.map_or_else(String::new, |count| format!("{count}x"));
     match sheet.form {
-        SheetForm::Rectangle { size: [width, height] } => {
-            Some(format!("{count}{width}x{height}mm"))
-        }
+        SheetForm::Rectangle { size } => Some(count + &size_text(size)),
         SheetForm::Roll { width } => Some(format!("roll:{width}mm")),
         SheetForm::Outline { .. } => None,
     }
+}
+
+/// A width and a height, mm, as they are typed.
+pub(crate) fn size_text([width, height]: [f64; 2]) -> String {
+    // Inches in millimetres end in digits that nobody has typed.
+    let [width, height] = [width, height].map(|mm| (mm * 1e6).round() / 1e6);
+    format!("{width}x{height}mm")
 }
 
 /// What a sheet is called: by its name, or by its size.

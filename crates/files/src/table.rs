@@ -443,6 +443,7 @@ fn design_of(curves: Vec<DesignCurve>, panel: DesignPanel, options: &ReadOptions
         method: options.method.unwrap_or_default(),
         which: options.which.unwrap_or_default(),
         plane: options.plane.unwrap_or_default(),
+        slides: options.slides.unwrap_or_default(),
         fold: options.fold.unwrap_or(PriceOptions::default().fold),
         effort: options.effort.unwrap_or(1.0),
         ..panel

@@ -9,7 +9,7 @@ use sheetwright::make::{Made, Part, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     BendSettings, Format, Outputs, PatternReadError, PdfOptions, ReadOptions, ReadPattern, Units,
-    finding_text, output_files, read_dxf, read_input, read_svg,
+    finding_text, material_named, output_files, read_dxf, read_input, read_svg,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,11 @@ fn the_facts_of_every_mesh_hold() {
         let facts = facts_of(&mesh);
         let units =
             facts.get("units").map(|name| Units::from_name(name.as_str().unwrap()).unwrap());
-        let design = read_input(&mesh, &ReadOptions { units, ..ReadOptions::default() }).unwrap();
+        let options = ReadOptions { units, ..ReadOptions::default() };
+        let mut design = read_input(&mesh, &options).unwrap();
+        if let Some(name) = facts.get("material") {
+            design.material = Some(material_named(name.as_str().unwrap(), &[]).unwrap());
+        }
         let made = make(&design, &mut Unwatched).unwrap();
         let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
         let report: Value = serde_json::from_slice(file(&outputs, "report.json")).unwrap();
@@ -100,7 +104,8 @@ fn the_facts_of_every_boundary_hold() {
         // All rungs are drawn, so that files tell whether they are those of the surface.
         let bends = BendSettings { marks: Some(BendMarks::Rulings), ..BendSettings::default() };
         let options = ReadOptions { plane, bends, ..ReadOptions::default() };
-        let made = make(&read_input(&entry, &options).unwrap(), &mut Unwatched).unwrap();
+        let mut made = make(&read_input(&entry, &options).unwrap(), &mut Unwatched).unwrap();
+        made.advise(&mut Unwatched);
         let outputs = output_files(&made, &Format::DEFAULT, &PdfOptions::default()).unwrap();
         // Whatever the boundary, quads and a smooth surface come out, or a finding says why not.
         let smooth = [Format::Quads, Format::Step];
@@ -175,7 +180,8 @@ fn differences(panel: &Value, facts: &Map<String, Value>) -> Vec<String> {
 fn differs(panel: &Value, fact: &str, wanted: &Value) -> Option<String> {
     let found = &panel[fact];
     let holds = match (fact, wanted) {
-        ("about" | "plane" | "units", Value::String(_)) | ("panels", Value::Number(_)) => true,
+        ("about" | "plane" | "units" | "material", Value::String(_))
+        | ("panels", Value::Number(_)) => true,
         ("says", Value::Array(texts)) => texts.iter().all(|text| {
             let findings = panel["findings"].as_array().unwrap();
             let text = text.as_str().unwrap();

@@ -36,13 +36,15 @@ fn unfair(made: &Made) -> Vec<String> {
     findings.filter(|finding| is_unfair(&finding.kind)).map(finding_text).collect()
 }
 
+fn near(found: [f64; 3], expected: [f64; 3]) {
+    let off = (0..3).map(|n| (found[n] - expected[n]).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-9, "{found:?} {expected:?}");
+}
+
 #[test]
 fn published_boats_become_planks() {
     let inch = 25.4;
-    let near = |found: [f64; 3], inches: [f64; 3]| {
-        let off = (0..3).map(|n| (found[n] - inches[n] * inch).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-9, "{found:?} {inches:?}");
-    };
+    let near = |found: [f64; 3], inches: [f64; 3]| near(found, inches.map(|n| n * inch));
     let sharpie = table("chesapeake-bay-sharpie.csv");
     assert_eq!(panels(&sharpie), ["bottom", "side", "transom"]);
     near(point(&sharpie, "sheer", 2), [48.0, 23.0, 27.625]);
@@ -79,6 +81,98 @@ fn a_workbook_is_the_table_that_it_holds() {
     for workbook in ["skiff.xlsx", "skiff.ods"] {
         assert_eq!(table(workbook), text, "{workbook}");
     }
+}
+
+#[test]
+fn curves_of_freeship_are_planks() {
+    let options = ReadOptions { units: Some(Units::Metres), ..ReadOptions::default() };
+    let read = |name: &str, options: &ReadOptions| {
+        let path = root().join("corpus/offsets").join(name);
+        read_input(&path, options).unwrap_or_else(|error| panic!("{error} / {}", error.hint))
+    };
+    let notes = |name: &str| {
+        let bytes = std::fs::read(root().join("corpus/offsets").join(name)).unwrap();
+        sheetwright_files::hull_table_notes(&bytes, name, &options)
+    };
+    let stations = read("freeship-stations.txt", &options);
+    assert_eq!(panels(&stations), ["bottom", "side", "transom", "transom-2"]);
+    near(point(&stations, "Keel", 0), [100.0, 0.0, 110.9]);
+    near(point(&stations, "Chine 1", 2), [1300.0, 701.0, 140.3]);
+    near(point(&stations, "Sheer", 8), [4900.0, 117.1, 840.1]);
+    assert_eq!(stations.marks.len(), 1);
+    let said = notes("freeship-stations.txt");
+    assert!(said[0].contains("9 stations from 100 to 4900 mm and 3 lines"), "{said:?}");
+    assert!(said[1].starts_with("11 sections and other curves are left out"), "{said:?}");
+    // Control curves reach the ends; the chines are their points to a millimetre.
+    let controls = read("freeship-control-curves.txt", &options);
+    let chines = read("freeship-chines.txt", &ReadOptions::default());
+    for design in [&controls, &chines] {
+        assert_eq!(panels(design), ["bottom", "side"]);
+        assert_eq!(design.curves.len(), 3);
+    }
+    for (a, b) in controls.curves.iter().zip(&chines.curves) {
+        assert_eq!((&a.name, a.points.len()), (&b.name, 12));
+        for (a, b) in a.points.iter().zip(&b.points) {
+            let off = a.at - b.at;
+            assert!(off.x.abs().max(off.y.abs()).max(off.z.abs()) <= 0.55, "{off:?}");
+        }
+    }
+    let feet = ReadOptions { units: Some(Units::Feet), ..ReadOptions::default() };
+    assert_eq!(point(&read("freeship-chines.txt", &feet), "Keel", 11)[0], 1524.0);
+    let path = root().join("corpus/offsets/freeship-stations.txt");
+    let error = read_input(&path, &ReadOptions::default()).unwrap_err();
+    assert!(error.message.contains("metres or feet"), "{error}");
+}
+
+/// Sections that show no edges: a round hull is curves to choose rails from; a station with another
+/// number of corners gives its ends; one of several parts is left out.
+#[test]
+fn sections_without_edges_are_curves() {
+    let options = ReadOptions { units: Some(Units::Metres), ..ReadOptions::default() };
+    let read = |text: &str| {
+        let format = InputFormat::Table;
+        read_bytes(format, text.as_bytes(), "hull.txt", None, &options).unwrap()
+    };
+    let notes = |text: &str| {
+        sheetwright_files::hull_table_notes(text.as_bytes(), "hull.txt", &options).join("; ")
+    };
+    let station = |x: f64, knuckle: &str| {
+        format!("Spant {x}\n{x} 0 0 {knuckle}\n{x} -1 0.2 {knuckle}\n{x} -2 1 {knuckle}\n")
+    };
+    let round: String = (0..4).map(|n| station(f64::from(n), "")).collect();
+    let design = read(&round);
+    assert_eq!((design.panels.len(), design.curves.len()), (0, 4));
+    assert_eq!(design.curves[1].name, "Spant 1");
+    assert_eq!(point(&design, "Spant 2", 1), [2000.0, 1000.0, 200.0]);
+    assert!(notes(&round).contains("negative y is turned over"), "{}", notes(&round));
+    let (knuckled, ends): (String, _) =
+        ((0..4).map(|n| station(f64::from(n), "KNUCKLE")).collect(), station(4.0, ""));
+    let design = read(&format!("{knuckled}{ends}"));
+    let counts: Vec<usize> = design.curves.iter().map(|curve| curve.points.len()).collect();
+    assert_eq!(panels(&design)[..2], ["bottom", "side"]);
+    assert!(counts.contains(&4) && counts.contains(&5), "{counts:?}");
+    assert!(notes(&format!("{knuckled}{ends}")).contains("station '4' has 0 corners"));
+    // A curve that is drawn from the bow to the stern is an edge all the same.
+    let chines =
+        std::fs::read_to_string(root().join("corpus/offsets/freeship-chines.txt")).unwrap();
+    let mut blocks: Vec<String> = chines.split("\n\n").map(str::to_owned).collect();
+    let mut rows: Vec<&str> = blocks[1].lines().collect();
+    rows.reverse();
+    blocks[1] = rows.join("\n");
+    let turned = blocks.join("\n\n");
+    assert_ne!(turned, chines);
+    assert_eq!(read(&turned).curves, read(&chines).curves);
+    // Where no number of corners is usual, they show no edges.
+    let odd = "Spant 0\n0 0 0\n0 1 0\n0 2 1\nSpant 1\n1 0 0\n1 1 0 KNUCKLE\n1 2 1\nSpant 2\n\
+               2 0 0\n2 1 0 KNUCKLE\n2 2 1 KNUCKLE\n2 3 2\n";
+    assert_eq!((read(odd).panels.len(), read(odd).curves.len()), (0, 3));
+    // Tables with columns of white space are tables.
+    let waterlines = "Station\tWL 100\tWL 200\n0\t300\t350\n1000\t400\t450\n";
+    assert_eq!(point(&read(waterlines), "WL 100", 1), [1e6, 4e5, 1e5]);
+    let twice = format!(
+        "{knuckled}Spant 9\n2 segments.\nSEGMENT 1\n9 0 0\n9 -1 0\nSEGMENT 2\n9 -2 1\n9 -2 2\n"
+    );
+    assert!(notes(&twice).contains("2 stations of several parts"), "{}", notes(&twice));
 }
 
 /// The slip of 40 mm in a sheer, which went unnoticed.

@@ -9,11 +9,12 @@ use sheetwright::design::{Design, PanelShape};
 use sheetwright::make::{Made, Origin, make};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, InputFormat, MeshSettings, Outputs, PdfOptions, ReadOptions, hint_for, output_files,
-    read_bytes, read_input, write_design,
+    DxfRelease, Format, InputFormat, MeshSettings, Outputs, PdfOptions, Preset, ReadOptions,
+    hint_for, output_files, read_bytes, read_dxf, read_input, write_design, write_dxf_for,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A folder of its own, which goes with the value.
 struct Folder(PathBuf);
@@ -236,4 +237,74 @@ fn a_mesh_with_a_handle_is_cut_open_where_its_facets_are_not_folded() {
     assert_eq!((part.sheet.loops().len(), part.sheet.mesh().euler()), (1, 1));
     assert!(part.sheet.seams().len() >= 2);
     assert_eq!(part.checked.verdict, Verdict::WillNotBend);
+}
+
+/// A roof with a lower roof beside it: two mountains and a valley between them.
+const ROOFS: &str = "v 0 0 0\nv 50 0 40\nv 100 0 10\nv 150 0 40\nv 200 0 0\nv 0 90 0\nv 50 90 40\n\
+                     v 100 90 10\nv 150 90 40\nv 200 90 0\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\n\
+                     f 4 5 10 9\n";
+
+#[test]
+fn dxf_tells_mountains_from_valleys_by_their_line_types() {
+    let mesh = MeshSettings { facets: Some(true), ..MeshSettings::default() };
+    let options = ReadOptions { mesh, ..ReadOptions::default() };
+    let format = InputFormat::of(Path::new("roofs.obj")).unwrap();
+    let design = read_bytes(format, ROOFS.as_bytes(), "roofs.obj", None, &options).unwrap();
+    let piece = &made(&design).parts[0].piece;
+    for release in DxfRelease::ALL {
+        let bytes = write_dxf_for(piece, Preset::generic(), release);
+        let drawing = dxf::Drawing::load(&mut std::io::Cursor::new(&bytes)).unwrap();
+        let declared: Vec<&str> = drawing.line_types().map(|of| of.name.as_str()).collect();
+        for name in ["MOUNTAIN", "VALLEY"] {
+            assert!(declared.contains(&name), "{declared:?}");
+        }
+        let of_layer = |layer: &str| {
+            let on_layer = drawing.entities().filter(|of| of.common.layer == layer);
+            let mut types: Vec<&str> =
+                on_layer.map(|of| of.common.line_type_name.as_str()).collect();
+            types.sort_unstable();
+            types
+        };
+        // The outside is above the roofs, and the pattern is seen from there.
+        assert_eq!(of_layer("score"), ["MOUNTAIN", "MOUNTAIN", "VALLEY"]);
+        assert_eq!(of_layer("cut"), ["BYLAYER"]);
+        // Angles stand beside the folds, and what is read back is the pattern.
+        assert!(of_layer("engrave").len() + of_layer("note").len() > 4);
+        assert_eq!(read_dxf(&bytes).unwrap().outline, piece.outline());
+    }
+    // A pattern without folds declares neither.
+    let flat = made(&read(LID, None).unwrap());
+    let bytes = write_dxf_for(&flat.parts[0].piece, Preset::generic(), DxfRelease::R12);
+    assert!(!String::from_utf8(bytes).unwrap().contains("MOUNTAIN"));
+}
+
+/// A flat panel.
+const LID: &str = r#"{
+  "sheetwright": 1, "name": "lid",
+  "curves": {
+    "rim": { "kind": "polyline", "closed": true,
+             "points": [[0,0,0], [100,0,0], [100,80,0], [0,80,0]] }
+  },
+  "panels": [{ "name": "lid", "boundary": ["rim"], "samples": 20 }]
+}"#;
+
+#[test]
+fn panels_share_the_seams_of_their_file_and_add_their_own() {
+    let folder = Folder::new("mesh-seams-shared");
+    folder.write("tray.obj", &format!("{TRAY}l 1 2\n"));
+    let panel = |name: &str, more: &str| {
+        format!(r#"{{ "name": "{name}", "mesh": "tray.obj", "group": "floor"{more} }}"#)
+    };
+    let own = r#", "seams": [[[0, 0, 0], [100, 0, 0], [100, 100, 0]]]"#;
+    let panels = [panel("a", ""), panel("b", own), panel("c", "")].join(", ");
+    let text = format!(r#"{{ "sheetwright": 1, "panels": [{panels}] }}"#);
+    let design = read(&text, Some(&folder.0)).unwrap();
+    let seams = |n: usize| match &design.panels[n].shape {
+        PanelShape::Mesh(mesh) => mesh.seams.clone(),
+        _ => panic!("a panel is no mesh"),
+    };
+    let [a, b, c] = [0, 1, 2].map(seams);
+    assert!(Arc::ptr_eq(&a, &c));
+    assert_eq!((a.len(), b.len()), (1, 2));
+    assert_eq!((&b[0], b[1].len()), (&a[0], 3));
 }

@@ -49,6 +49,7 @@ fn hull(scale: f64) -> Made {
         method: PanelMethod::Rails,
         goal: Goal::Price,
         run_on: false,
+        slides: false,
         plane: PlaneChoice::None,
         fold: 0.1,
         effort: 1.0,
@@ -591,7 +592,7 @@ fn as_many_sheets_as_the_finding_names_are_enough() {
         assert!(!file_full);
         let texts = reductions(&made, sheets(10));
         assert!(texts[panel].contains(&format!(" allow {enough} sheets. ")), "{texts:?}");
-        let options = PdfOptions { max_sheets: sheets(enough), ..Default::default() };
+        let options = PdfOptions { max_sheets: sheets(enough as usize), ..Default::default() };
         let left = write_pdf(&made, &options).reduced;
         assert!(left.iter().all(|reduced| reduced.panel != panel && reduced.sheets > enough));
     }

@@ -1,5 +1,6 @@
 //! How fast panels follow a handle that is dragged, on one thread: `cargo bench -p sheetwright
-//! --bench drag`; with `-- stages`, where the time goes; with a part of a name, that family alone.
+//! --bench drag`; with `-- stages`, where the time goes; with `-- prediction`, the share of a move
+//! that the verdict by a formula takes, alone; with a part of a name, that family alone.
 //! With `--features rayon` all cores share the tables, and all times are those of the clock on the
 //! wall.
 //!
@@ -17,6 +18,7 @@
 use sheetwright::boundary::size_of;
 use sheetwright::cost::DEFAULT_FOLD;
 use sheetwright::design::Design;
+use sheetwright::elastic::screen;
 use sheetwright::make::{Live, make};
 use sheetwright::watch::{Stage, Unwatched, Watch};
 use sheetwright_shapes::drag::{Drag, one_panel, outline};
@@ -30,6 +32,8 @@ const HANDLES: usize = 10;
 const MOVES: usize = 100;
 /// After so many moves the hand rests, and the design is made afresh, too.
 const AFRESH: usize = 10;
+/// The formula is asked so often in a row: once takes hardly longer than asking the clock.
+const SCREENS: u32 = 8;
 /// How far a handle is dragged about where it was, as a share of the size.
 const REACH: f64 = 0.02;
 
@@ -37,13 +41,16 @@ fn main() {
     let arguments: Vec<String> =
         std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let stages = arguments.iter().any(|argument| argument == "stages");
-    let names: Vec<&String> = arguments.iter().filter(|name| *name != "stages").collect();
+    let prediction = arguments.iter().any(|argument| argument == "prediction");
+    let is_name = |argument: &&String| *argument != "stages" && *argument != "prediction";
+    let names: Vec<&String> = arguments.iter().filter(is_name).collect();
+    let row = if prediction { prediction_row } else { row };
     let wanted = |name: &str| names.is_empty() || names.iter().any(|part| name.contains(*part));
     let threads = if cfg!(feature = "rayon") { "all cores, on the wall" } else { "one thread" };
     println!("one handle dragged, {threads}, {} moves, milliseconds\n", HANDLES * MOVES);
-    print!("{:<16} {:>4} {:>8} {:>8} {:>8}", "panel", "ν", "median", "99 %", "most");
-    print!(" {:>10} {:>10}", "wall, 99 %", "all, 99 %");
-    println!(" {:>8} {:>8} {:>6}", "afresh", "ratio", "failed");
+    if !prediction {
+        print_head();
+    }
     for fold in [0.0, DEFAULT_FOLD] {
         for family in Family::ALL {
             let name = family.name();
@@ -56,6 +63,65 @@ fn main() {
             row("hull, 3 planks", fold, planks(SAMPLES / 2, fold), stages);
         }
     }
+}
+
+/// The names of the columns of [`row`].
+fn print_head() {
+    print!("{:<16} {:>4} {:>8} {:>8} {:>8}", "panel", "ν", "median", "99 %", "most");
+    print!(" {:>10} {:>10}", "wall, 99 %", "all, 99 %");
+    println!(" {:>8} {:>8} {:>6}", "afresh", "ratio", "failed");
+}
+
+/// Drags handles of a design and prints which share of a move the formula takes.
+fn prediction_row(name: &str, fold: f64, design: Design, _stages: bool) {
+    let mut live = Live::new(design, &mut Unwatched);
+    let reach = REACH * size(live.design());
+    let handles = handles(live.design());
+    let (mut moved, mut screened) = (0.0, 0.0);
+    for n in 0..HANDLES {
+        let [c, p] = handles[n * handles.len() / HANDLES];
+        let home = live.design().curves[c].points[p].at;
+        let mut drag = Drag::new(home, reach, n as u64);
+        for _ in 0..MOVES {
+            let start = Time::now();
+            let changed = live.move_point(c, p, drag.step(), &mut Unwatched);
+            moved += start.elapsed()[0];
+            screened += screen_changed(&live, &changed);
+        }
+        live.move_point(c, p, home, &mut Unwatched);
+    }
+    let mean = |sum: f64| sum / (HANDLES * MOVES) as f64;
+    println!(
+        "{name:<16} {fold:>4} a move {:.3}, the formula {:.4}: {:.2} %",
+        mean(moved),
+        mean(screened),
+        100.0 * screened / moved
+    );
+}
+
+/// How long it takes to predict the strain of panels by the formula, milliseconds.
+fn screen_changed(live: &Live, changed: &[usize]) -> f64 {
+    let material = live.design().material.as_ref();
+    let parts = changed.iter().filter_map(|n| live.panels()[*n].made.as_ref().ok()).flatten();
+    let start = Time::now();
+    for part in parts {
+        for _ in 0..SCREENS {
+            black_box(screen(&part.sheet, &part.flat, &part.measures, material));
+        }
+    }
+    start.elapsed()[0] / f64::from(SCREENS)
+}
+
+/// The size of a design, mm.
+fn size(design: &Design) -> f64 {
+    let points = design.curves.iter().flat_map(|curve| &curve.points);
+    size_of(points.map(|point| point.at))
+}
+
+/// The points of a design, each by its curve and its number there.
+fn handles(design: &Design) -> Vec<[usize; 2]> {
+    let of_curve = |c: usize| (0..design.curves[c].points.len()).map(move |p| [c, p]);
+    (0..design.curves.len()).flat_map(of_curve).collect()
 }
 
 /// Drags handles of a design and prints how long that takes.
@@ -101,11 +167,7 @@ impl Dragged {
     /// Drags handles, and says what each move takes: with the hand at rest after it, or not.
     fn new(mut live: Live, rests: bool) -> Self {
         let design = live.design();
-        let points = design.curves.iter().flat_map(|curve| &curve.points);
-        let reach = REACH * size_of(points.map(|point| point.at));
-        let handles: Vec<[usize; 2]> = (0..design.curves.len())
-            .flat_map(|c| (0..design.curves[c].points.len()).map(move |p| [c, p]))
-            .collect();
+        let (reach, handles) = (REACH * size(design), handles(design));
         let mut dragged = Self::default();
         for n in 0..HANDLES {
             let [c, p] = handles[n * handles.len() / HANDLES];

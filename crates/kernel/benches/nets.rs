@@ -6,6 +6,7 @@
 //! its name.
 #![allow(clippy::print_stdout, clippy::unwrap_used)] // it prints; what fails should stop it
 
+use sheetwright::mesh::Cut;
 use sheetwright::nets::{NetOptions, net};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::low_poly::{fine_animal, models};
@@ -28,7 +29,7 @@ fn main() {
     for (name, model) in all {
         let mesh = model.mesh();
         let start = Instant::now();
-        let net = net(&mesh, &NetOptions::default(), &mut Unwatched).unwrap();
+        let net = net(&mesh, &Cut::new(), &NetOptions::default(), &mut Unwatched).unwrap();
         let seconds = start.elapsed().as_secs_f64();
         println!("{}\t{}\t{seconds:.3}\t{name}", net.facets, net.pieces);
     }

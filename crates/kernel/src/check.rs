@@ -3,8 +3,10 @@
 mod bending;
 mod brake;
 mod bulge;
+mod code;
 mod finding;
 mod kind;
+mod numbers;
 mod origin;
 mod place;
 mod remedy;
@@ -16,8 +18,9 @@ mod verdict;
 
 pub use brake::braking;
 pub use finding::{Checked, Finding};
-pub use kind::{Bend, Division, FindingKind, Hindrance, Movement, SeamCause, TooTight};
-pub use place::{BorderSide, Place, SeamPlace};
+pub use kind::FindingKind;
+pub use numbers::{Bend, CutWay, Division, Hindrance, Movement, PointReach, SeamCause, TooTight};
+pub use place::{BorderSide, LinePlace, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;
 pub use verdict::Verdict;
@@ -29,7 +32,7 @@ pub(crate) use origin::{
     BoundaryMoved, moved, off_tolerance, ran_on, rounded_corner, smoothed_joints, stayed_straight,
     turned_round,
 };
-pub(crate) use strain::strain_not_reached;
+pub(crate) use strain::{bends_divided, divided_in_vain, strain_not_reached};
 pub(crate) use unfair::unfair_line;
 
 use crate::elastic::Predicted;
@@ -101,9 +104,17 @@ pub struct MeshOrigin<'a> {
 /// A piece of a net of facets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NetOrigin {
-    /// How coarse the mesh is, if it is folded by itself since its facets are meant; told of its
-    /// first piece alone.
-    pub meant: Option<Coarseness>,
+    /// Why the mesh is folded by itself, if it is; told of its first piece alone.
+    pub meant: Option<FacetsMeant>,
+}
+
+/// Why the facets of a mesh are folded without being asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FacetsMeant {
+    /// How coarse it is.
+    pub coarse: Coarseness,
+    /// Whether as one surface it would bend, but its pattern overlap itself.
+    pub overlaps: bool,
 }
 
 /// Checks a part.

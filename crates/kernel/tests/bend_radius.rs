@@ -5,7 +5,7 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::{CheckedFrom, Subject, Verdict, check};
 use sheetwright::cost::Prices;
 use sheetwright::curve::CurvePoint;
-use sheetwright::elastic::{predict, screen};
+use sheetwright::elastic::{Edges, predict, screen};
 use sheetwright::flatten::lay_flat;
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, sin};
@@ -34,8 +34,8 @@ fn checked(boundary: &Boundary, material: Option<&Material>) -> (Measures, Verdi
     let (sheet, flat) = lay_flat(&surface, &[], &mut Unwatched).unwrap();
     let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
     let from = CheckedFrom::Boundary(boundary, &found);
-    let screened = screen(&sheet, &measures, material);
-    let predicted = predict(&sheet, &flat, &measures, &screened, &mut Unwatched);
+    let screened = screen(&sheet, &flat, &measures, material);
+    let predicted = predict(&sheet, &flat, &Edges::default(), &measures, &screened, &mut Unwatched);
     let part = Subject {
         sheet: &sheet,
         flat: &flat,
@@ -166,9 +166,36 @@ fn a_point_is_named_and_the_radius_measured_apart_from_it() {
         assert_eq!(apex.sample.get(), 0);
         // Normals run on a circle of the radius cos 30°, over a chord of which the fan turns.
         assert!((1.0..1.4).contains(&apex.turn), "{count}: {apex:?}");
+        // The radius is the distance from the point times tan 30°: below 10 mm within 17.3 mm.
+        let reach = apex.reach_mm(10.0);
+        assert!((reach / (10.0 * 3f64.sqrt()) - 1.0).abs() < 0.02, "{count}: {reach}");
         let truth = cone.bend_radius(0.0, 200.0);
         assert!((found.bend_radius_min_mm / truth - 1.0).abs() < 0.02, "{count}: {found:?}");
     }
+}
+
+/// The round end of that quarter as a polygon, each side of five samples: between the hinges that
+/// turn lie flat ones.
+#[test]
+fn a_point_of_flat_facets_reaches_as_far_as_that_of_the_cone() {
+    let cone = Cone { half_angle: std::f64::consts::FRAC_PI_6 };
+    let (sides, samples) = (24, 5);
+    let turn = std::f64::consts::FRAC_PI_2;
+    let corner = |n: u32| cone.space(turn * f64::from(n) / f64::from(sides), 200.0);
+    let tip = cone.space(0.0, 0.0);
+    let mut points = vec![CurvePoint::corner(tip)];
+    let side = |from: Point3, to: Point3, n: u32, count: u32| {
+        CurvePoint::smooth(from + (to - from) * (f64::from(n) / f64::from(count)))
+    };
+    points.extend((1..40).map(|n| side(tip, corner(0), n, 40)));
+    for n in 0..sides {
+        points.extend((0..samples).map(|k| side(corner(n), corner(n + 1), k, samples)));
+    }
+    points.extend((0..40).map(|n| side(corner(sides), tip, n, 40)));
+    let found = measured(&Boundary::new(vec![samples_from_points(&points)]).unwrap());
+    let [apex] = found.apexes[..] else { panic!("{:?}", found.apexes) };
+    let reach = apex.reach_mm(10.0);
+    assert!((reach / (10.0 * 3f64.sqrt()) - 1.0).abs() < 0.05, "{reach}");
 }
 
 /// A surface of 1000 × 400 mm with four corners, from flat coordinates: bent along its length, as

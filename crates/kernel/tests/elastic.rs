@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::elastic::{Elastic, ElasticOptions, Stiffness, elastic};
+use sheetwright::elastic::{Edges, Elastic, ElasticOptions, Stiffness, elastic, elastic_on};
 use sheetwright::flatten::{Flattened, lay_flat};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, cos, sin};
@@ -152,6 +152,41 @@ fn a_twisted_plate_is_pressed_in_the_middle_as_theory_says() {
     let strains: Vec<f64> = middle.map(|n| found.strains[n]).collect();
     let mean = strains.iter().sum::<f64>() / strains.len() as f64;
     assert!((mean / (omega * omega / 8.0) - 1.0).abs() < 0.01, "{mean}");
+}
+
+#[test]
+fn a_twisted_plate_whose_edges_slide_is_strained_as_a_free_one() {
+    // Along lines of the strip, by the lengths on a helicoid and no force along it in all: −ω²/24
+    // in the middle, +ω²/12 at the edges.
+    let (length, width, turn) = (1200.0, 300.0, 0.35);
+    let omega = turn * width / length;
+    let surface = helicoid(length, width, turn);
+    let (sheet, flat) = lay_flat(&surface, &[], &mut Unwatched).unwrap();
+    let last = surface.positions().len() - 1;
+    let end = |a: usize, b: usize| [a, b].map(SampleIndex::new);
+    let edges = Edges::sliding(&sheet, &[end(last / 2, last / 2 + 1), end(last, 0)]);
+    let options = ElasticOptions { triangles: 1400, ..ElasticOptions::default() };
+    let plate = steel(30.0, 0.0);
+    let found = elastic_on(&edges, &sheet, &flat, plate, &options, &mut Unwatched).unwrap();
+    assert!(found.is_stable);
+    let mean_strain = |low: f64, high: f64| {
+        let within = (0..found.triangles.len()).filter(|&n| {
+            let [a, b, c] = found.triangles[n].map(|v| found.flat[v]);
+            let (x, y) = ((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
+            let off = (y / width - 0.5).abs();
+            (x - 0.5 * length).abs() < 0.2 * length && (low..high).contains(&off)
+        });
+        let strains: Vec<f64> = within.map(|n| found.strains[n]).collect();
+        strains.iter().sum::<f64>() / strains.len() as f64
+    };
+    let by = omega * omega;
+    let (middle, edge) = (mean_strain(0.0, 0.05), mean_strain(0.45, 0.5));
+    // Over the outermost twentieth, (y² / 2 − 1 / 24) ω² is 0.855 of that at the edge.
+    assert!((middle / (by / 24.0) - 1.0).abs() < 0.05, "{middle}");
+    assert!((edge / (by / 12.0) / 0.855 - 1.0).abs() < 0.1, "{edge}");
+    // Where the edges are held, 95 % of the area stays below nearly half as much again.
+    let held = elastic(&sheet, &flat, plate, &options, &mut Unwatched).unwrap();
+    assert!(held.strain() > 1.4 * found.strain());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use sheetwright::boundary::{Boundary, PlaneChoice, samples_from_points, supporti
 use sheetwright::check::{CheckedFrom, Subject, Verdict, check};
 use sheetwright::cost::{DEFAULT_FOLD, PriceOptions, Prices};
 use sheetwright::curve::CurvePoint;
-use sheetwright::elastic::{predict, screen};
+use sheetwright::elastic::{Edges, predict, screen};
 use sheetwright::flatten::{Flattened, unroll};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
@@ -221,8 +221,9 @@ fn coarse_samples_are_not_taken_for_twist() {
             let solved = solved(&boundary, PlaneChoice::Auto, DEFAULT_FOLD);
             let (sheet, flat, measures) =
                 (Sheet::whole(&solved.surface), &solved.flat, &solved.measures);
-            let screened = screen(&sheet, measures, None);
-            let predicted = predict(&sheet, flat, measures, &screened, &mut Unwatched);
+            let screened = screen(&sheet, &solved.flat, measures, None);
+            let predicted =
+                predict(&sheet, flat, &Edges::default(), measures, &screened, &mut Unwatched);
             let checked = check(&Subject {
                 from: CheckedFrom::Boundary(&boundary, &solved.triangulation),
                 sheet: &sheet,

@@ -138,15 +138,129 @@ fn a_twisted_strip_is_judged_alike_however_it_was_divided() {
 
 #[test]
 fn a_strip_twisted_by_60_deg_strains_alike_however_it_was_divided() {
-    // Thin sheet has several places of rest there; in none it bends without force.
-    let parts = twisted(60.0, None);
-    assert!(parts.iter().all(|part| verdict(part) != Verdict::Bends));
+    // Its pattern is fitted to its sheet, and that from one row alone as from sixteen.
+    let parts = twisted(60.0, Some(&steel(1.0)));
     let strains: Vec<f64> = parts.iter().map(strain).collect();
-    assert!(strains.iter().all(|&strain| strain > 3e-4 && strain < 2e-3), "{strains:?}");
-    // From ten rows on, and as a strip that is free within, it is the same but for little.
-    let alike = [strains[0], strains[3], strains[4]];
-    let [least, most] = [f64::min, f64::max].map(|of| alike.into_iter().reduce(of).unwrap());
-    assert!(most < 1.7 * least, "{strains:?}");
+    let verdicts: Vec<Verdict> = parts.iter().map(verdict).collect();
+    // Thin sheet has several places of rest; one of them is `Undecided`.
+    let is_alike = |verdict: &Verdict| matches!(verdict, Verdict::Roll | Verdict::Undecided);
+    assert!(verdicts.iter().all(is_alike), "{verdicts:?} {strains:?}");
+    let rolled = verdicts.iter().zip(&strains).filter(|(verdict, _)| **verdict == Verdict::Roll);
+    let rolled: Vec<f64> = rolled.map(|(_, &strain)| strain).collect();
+    let [least, most] = [f64::min, f64::max].map(|of| rolled.iter().copied().reduce(of).unwrap());
+    // In two rows that are cut the one way, creases still tell: a quarter more.
+    assert!(rolled.len() > 3 && most < 1.3 * least, "{strains:?}");
+    assert!(least > 6e-4 && most < 1e-3, "{strains:?}");
+}
+
+#[test]
+fn a_strip_twisted_by_90_deg_in_one_row_is_no_row_of_folds() {
+    let at = helicoid(90.0);
+    for (cells, cut) in [([40, 1], Cut::Forth), ([40, 1], Cut::InTurn), ([40, 4], Cut::Back)] {
+        for (thickness_mm, wanted) in [(1.0, Verdict::WillNotBend), (0.3, Verdict::Roll)] {
+            let (positions, triangles) = grid(cells, cut, &at);
+            let part = made(positions, triangles, Some(steel(thickness_mm)));
+            let basis = part.predicted.as_ref().unwrap().basis;
+            assert_eq!(basis, Basis::Computed, "{cells:?} {cut:?}");
+            assert_eq!(verdict(&part), wanted, "{cells:?} {cut:?} {thickness_mm}");
+            let is_crease = |kind: &FindingKind| matches!(kind, FindingKind::Creases { .. });
+            assert!(!part.checked.findings.iter().any(|finding| is_crease(&finding.kind)));
+        }
+    }
+}
+
+#[test]
+fn a_strip_in_one_row_is_judged_as_in_four() {
+    // Its creases are not its surface: a sheet that began on them lay by chance, and one of three
+    // strips twisted by 45° was told that it will not bend.
+    for (deg, thickness_mm) in [(30.0, 1.0), (45.0, 1.0), (45.0, 0.5)] {
+        let at = helicoid(deg);
+        let strip = |(rows, cut)| {
+            let (positions, triangles) = grid([32, rows], cut, &at);
+            made(positions, triangles, Some(steel(thickness_mm)))
+        };
+        let four = strip((4, Cut::InTurn));
+        assert_ne!(verdict(&four), Verdict::WillNotBend, "{deg} {thickness_mm}");
+        for cut in [Cut::Forth, Cut::Back, Cut::InTurn] {
+            let one = strip((1, cut));
+            let ratio = strain(&one) / strain(&four);
+            assert!((0.67..1.5).contains(&ratio), "{deg} {thickness_mm} {cut:?} {ratio}");
+            assert_ne!(verdict(&one), Verdict::WillNotBend, "{deg} {thickness_mm} {cut:?}");
+        }
+    }
+}
+
+#[test]
+fn the_thickest_sheet_that_is_named_takes_the_shape() {
+    let steep = |x: f64, y: f64| {
+        let (x, y) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+        Point3::new(150.0 * x, 150.0 * y, 20.0 * (x * x - y * y))
+    };
+    let meshes = [
+        (grid([12, 12], Cut::Forth, steep), 0.5),
+        (grid([40, 1], Cut::Forth, helicoid(75.0)), 1.0),
+        (grid([40, 4], Cut::Back, helicoid(75.0)), 1.0),
+    ];
+    for ((positions, triangles), thickness_mm) in meshes {
+        let in_sheet = |mm: f64| made(positions.clone(), triangles.clone(), Some(steel(mm)));
+        let part = in_sheet(thickness_mm);
+        assert_eq!(verdict(&part), Verdict::WillNotBend);
+        let thickest_mm = part.predicted.as_ref().unwrap().thickest_mm.unwrap();
+        assert!(thickest_mm < thickness_mm);
+        let thinner = in_sheet(thickest_mm);
+        let is_taken = !matches!(verdict(&thinner), Verdict::WillNotBend | Verdict::Undecided);
+        assert!(is_taken, "{thickest_mm}: {:?} {}", verdict(&thinner), strain(&thinner));
+    }
+}
+
+/// Surfaces of 1000 × 300 mm in 1, 2, 3 and 10 rows of 24 cells, each cut in two ways.
+fn in_rows(at: impl Fn(f64, f64) -> Point3) -> Vec<Part> {
+    let rows = [1, 2, 3, 10].into_iter();
+    let cells = rows.flat_map(|rows| [Cut::Forth, Cut::InTurn].map(|cut| ([24, rows], cut)));
+    let one = |(cells, cut)| {
+        let (positions, triangles) = grid(cells, cut, &at);
+        made(positions, triangles, Some(steel(1.0)))
+    };
+    cells.map(one).collect()
+}
+
+/// Between straight sides; each corner lies so far, mm, above the plane or below it.
+fn hyperbolic(height: f64) -> impl Fn(f64, f64) -> Point3 {
+    move |along, across| {
+        let warp = (2.0 * along - 1.0) * (2.0 * across - 1.0);
+        Point3::new(1000.0 * along, 300.0 * across, height * warp)
+    }
+}
+
+#[test]
+fn one_surface_has_one_verdict_however_it_was_cut() {
+    let cylinder = |along: f64, across: f64| {
+        let angle = 1.5 * along;
+        Point3::new(660.0 * cos(angle), 660.0 * sin(angle), 300.0 * across)
+    };
+    let families = [
+        (in_rows(helicoid(15.0)), Verdict::Bends),
+        (in_rows(hyperbolic(15.0)), Verdict::Bends),
+        (in_rows(hyperbolic(80.0)), Verdict::Roll),
+        (in_rows(cylinder), Verdict::Bends),
+    ];
+    for (parts, wanted) in families {
+        let found: Vec<(Verdict, f64)> =
+            parts.iter().map(|part| (verdict(part), strain(part))).collect();
+        let is_so = |(is, _): &(Verdict, f64)| *is == wanted || *is == Verdict::Undecided;
+        assert!(found.iter().all(is_so), "{wanted:?}: {found:?}");
+        let sure = found.iter().filter(|(is, _)| *is == wanted).count();
+        assert!(sure + 1 >= found.len(), "{wanted:?}: {found:?}");
+    }
+}
+
+#[test]
+fn a_strip_that_lies_flat_exactly_keeps_its_pattern() {
+    // A cone in one row: its sheet strains where its border turns, but no fitted pattern is better
+    // by far.
+    let cone = cone(200.0, 600.0, 1.0, 40, 1);
+    let part = made(cone.positions().to_vec(), cone.triangles().to_vec(), Some(steel(1.0)));
+    assert!(part.measures.length_error_max < 1e-9, "{}", part.measures.length_error_max);
 }
 
 /// A cap of a sphere of 1 m to so many degrees from its pole.

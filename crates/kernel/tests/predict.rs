@@ -57,6 +57,26 @@ fn twisted_strips_need_no_fold_until_they_stretch_too_much() {
     assert!(scored(&part) > 0);
 }
 
+/// The formula smooths the fold of the cheapest surface as the computed sheet does; where it can't
+/// tell, a batch computes the sheet.
+#[test]
+fn the_formula_needs_no_fold_where_the_sheet_needs_none() {
+    for deg in [5.0, 10.0, 20.0, 30.0] {
+        let design = twisted(deg, Some(steel(1.0)));
+        let quick = make_judged(&design, Judging::Quick, &mut Unwatched).unwrap().parts.remove(0);
+        let known = made(&design).predicted.unwrap().strain;
+        let strain = quick.predicted.as_ref().unwrap().strain;
+        assert!(strain / known < 1.5 && known / strain < 3.0, "{deg}: {strain} {known}");
+        assert_eq!(scored(&quick), 0, "{deg}");
+    }
+    let design = twisted(45.0, Some(steel(1.0)));
+    let auto = make_judged(&design, Judging::Auto, &mut Unwatched).unwrap().parts.remove(0);
+    assert_eq!(auto.predicted.as_ref().unwrap().basis, Basis::Computed);
+    let design = twisted(90.0, Some(steel(1.0)));
+    let auto = make_judged(&design, Judging::Auto, &mut Unwatched).unwrap().parts.remove(0);
+    assert_eq!(auto.checked.verdict, Verdict::BendsAndFolds);
+}
+
 #[test]
 fn a_bracket_needs_the_fold_that_its_boundary_has() {
     let rail = |y: f64| {
@@ -152,4 +172,38 @@ fn the_formula_screens_within_its_doubt() {
         }
     }
     assert!(10 * within >= 9 * all, "{within} of {all}");
+}
+
+/// What edges that slide take away: strains in per cent, held and sliding.
+#[test]
+fn edges_that_slide_strain_the_sheet_less() {
+    let slack = |mut design: Design| {
+        design.panels[0].slides = true;
+        made(&design)
+    };
+    for (design, verdicts) in [
+        (twisted(20.0, Some(steel(1.0))), [Verdict::Roll; 2]),
+        (wavy(60.0, 1.2, Some(steel(4.0))), [Verdict::WillNotBend, Verdict::Roll]),
+    ] {
+        let (held, loose) = (made(&design), slack(design));
+        assert_eq!([held.checked.verdict, loose.checked.verdict], verdicts);
+        let [tight, slid] = [&held, &loose].map(|part| part.predicted.as_ref().unwrap());
+        assert!(slid.strain < 0.75 * tight.strain, "{} {}", slid.strain, tight.strain);
+        // By tenths of a millimetre, and neither the surface nor its pattern is another one.
+        assert_eq!(tight.slide_mm(), None);
+        let slide_mm = slid.slide_mm().unwrap();
+        assert!((0.1..1.0).contains(&slide_mm), "{slide_mm}");
+        assert_eq!((&held.sheet, &held.flat), (&loose.sheet, &loose.flat));
+    }
+    // The rails slide, however short they are: the ends between them are let go.
+    let short = [0.0, 1000.0].map(|y| [0.0, 300.0].map(|x| Point3::new(x, y, x * y / 6000.0)));
+    let short = slack(strip(short.map(Vec::from), CurveKind::Polyline, Some(steel(2.0))));
+    let free = |p: &Point3| (0.2..0.8).contains(&(p.y / 1000.0)) && p.x.abs() < 1.0;
+    let sheet = short.predicted.unwrap().at_rest.unwrap();
+    let line = sheet.positions.iter().filter(|p| free(p)).map(|p| p.z.abs());
+    assert!(line.fold(0.0, f64::max) > 0.01);
+    // Nothing is gained where the sheet hardly stretches.
+    let cylinder = Design { material: Some(steel(1.0)), ..bent::cylinder(300.0) };
+    let (held, loose) = (made(&cylinder), slack(cylinder));
+    assert_eq!(held.checked.verdict, loose.checked.verdict);
 }

@@ -1,9 +1,11 @@
 //! NumPy arrays to points and back.
 
 use crate::failure::Failure;
+use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use sheetwright::math::{Point2, Point3};
+use std::collections::BTreeSet;
 
 /// Points in space of an array of shape (N, 3).
 pub(crate) fn points3(
@@ -48,6 +50,32 @@ pub(crate) fn triangles(
         .into_iter()
         .map(|row| Ok([corner(row[0])?, corner(row[1])?, corner(row[2])?]))
         .collect()
+}
+
+/// Sides of triangles of an array of shape (S, 2).
+pub(crate) fn sides(
+    array: &PyReadonlyArray2<'_, i64>,
+    triangles: &[[usize; 3]],
+) -> Result<Vec<[usize; 2]>, Failure> {
+    let rows = array.as_array();
+    if rows.ncols() != 2 {
+        return Err(wrong_shape("seams", "(S, 2)", rows.shape()));
+    }
+    if rows.nrows() == 0 {
+        return Ok(Vec::new());
+    }
+    let ends = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+    let all = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]].map(ends));
+    let all: BTreeSet<[usize; 2]> = all.collect();
+    let side = |row: ArrayView1<'_, i64>| {
+        let given = [row[0], row[1]];
+        let known = given.map(|n| usize::try_from(n).unwrap_or(usize::MAX));
+        all.contains(&ends(known)).then_some(known).ok_or_else(|| {
+            let message = format!("seams: {} and {} are no side of a face", given[0], given[1]);
+            Failure::new(message, "Give both ends of sides, by vertices counted from 0.")
+        })
+    };
+    rows.rows().into_iter().map(side).collect()
 }
 
 fn wrong_shape(what: &str, wanted: &str, found: &[usize]) -> Failure {

@@ -1,6 +1,6 @@
 //! A made design: its parts, its files, its report.
 
-use crate::arrays::{points3, triangles};
+use crate::arrays::{points3, sides, triangles};
 use crate::failure::Failure;
 use crate::part::Part;
 use crate::settings::{Keywords, formats_of, judging, output_options, read_options};
@@ -34,6 +34,9 @@ fn made(py: Python<'_>, design: Design, judging: Judging) -> PyResult<Made> {
     let made = detached(py, |signals| {
         let made = make_judged(&design, judging, signals);
         made.map(|mut made| {
+            if judging == Judging::Exact {
+                made.advise(signals);
+            }
             made.lay_out(signals);
             made
         })
@@ -85,13 +88,15 @@ pub(crate) fn make_mesh(
     py: Python<'_>,
     vertices: PyReadonlyArray2<'_, f64>,
     faces: PyReadonlyArray2<'_, i64>,
+    seams: PyReadonlyArray2<'_, i64>,
     name: &str,
     settings: Keywords<'_>,
 ) -> PyResult<Made> {
     let vertices = points3(&vertices, "vertices")?;
     let faces = triangles(&faces, vertices.len())?;
+    let seams = sides(&seams, &faces)?;
     let options = read_options(&settings)?;
-    let design = py.detach(|| design_of_mesh(&vertices, &faces, name, &options))?;
+    let design = py.detach(|| design_of_mesh(&vertices, &faces, &seams, name, &options))?;
     made(py, design, judging(&settings)?)
 }
 

@@ -107,6 +107,7 @@ pub(crate) fn read_options(given: &Keywords<'_>) -> PyResult<ReadOptions> {
         method: given.chosen("method", &methods.map(|method| (method.name(), method)))?,
         which: given.chosen("side", &sides)?,
         plane: plane(given)?,
+        slides: given.get("slide")?,
         units: given.chosen("units", &Units::ALL.map(|units| (units.name(), units)))?,
         rails: given.get("rails")?.unwrap_or_default(),
         material: given.get("material")?,

@@ -132,10 +132,11 @@ impl Bounds {
     }
 }
 
-/// The design of a mesh, as the command reads it from an OBJ file.
+/// The design of a mesh, as the command reads it from an OBJ file, where seams are lines.
 pub(crate) fn design_of_mesh(
     vertices: &[Point3],
     faces: &[[usize; 3]],
+    seams: &[[usize; 2]],
     name: &str,
     options: &ReadOptions,
 ) -> Result<Design, Failure> {
@@ -146,6 +147,9 @@ pub(crate) fn design_of_mesh(
     }
     for [a, b, c] in faces {
         let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
+    }
+    for [a, b] in seams {
+        let _ = writeln!(text, "l {} {}", a + 1, b + 1);
     }
     design_of_bytes(text.as_bytes(), Some("obj"), name, None, options)
 }

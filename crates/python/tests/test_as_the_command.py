@@ -153,3 +153,25 @@ def test_a_template_is_that_of_the_command(command: Callable[..., Any], tmp_path
     assert sw.template("cone", bottom=410.5, material="paper") == json.loads(file.read_bytes())
     pattern = sw.make(sw.template("cone", bottom=410.5)).parts[0]
     assert sw.make(file).parts[0].area_flat_mm2 == pattern.area_flat_mm2
+
+
+def test_seams_are_the_lines_of_an_obj(command: Callable[..., Any], tmp_path: Path) -> None:
+    corners = [[10.0 * (n & 1), 10.0 * (n >> 1 & 1), 10.0 * (n >> 2)] for n in range(8)]
+    walls = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    faces = [face for a, b, c, d in walls for face in ([a, b, c], [a, c, d])]
+    lid = [[4, 5], [5, 7], [7, 6], [6, 4]]
+    made = sw.make_mesh(corners, faces, seams=lid, name="cube", facets=True)
+    areas = [part.area_flat_mm2 for part in made.parts]
+    assert sorted(round(area) for area in areas) == [100, 500]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
+    lines += [f"l {a + 1} {b + 1}" for a, b in lid]
+    path = tmp_path / "cube.obj"
+    path.write_text("\n".join(lines))
+    command("make", path, "--facets", "--out", tmp_path / "out", "--quiet")
+    report = json.loads((tmp_path / "out" / "report.json").read_bytes())
+    assert made.report["panels"] == report["panels"]
+    for seams in ([[0, 7]], [[0, 9]], [[-1, 0]]):
+        with pytest.raises(sw.SheetwrightError, match="no side of a face"):
+            sw.make_mesh(corners, faces, seams=seams)
+    assert len(sw.make_mesh(corners, faces, seams=[]).parts) == 1

@@ -2,8 +2,8 @@
 
 use sheetwright::bend::Mitred;
 use sheetwright::check::{
-    Bend, BorderSide, Division, Finding, FindingKind as Kind, Hindrance, Movement, Place,
-    SeamCause, SeamPlace, TooTight, Verdict,
+    Bend, BorderSide, CutWay, Division, Finding, FindingKind as Kind, Hindrance, LinePlace,
+    Movement, Place, PointReach, SeamCause, SeamPlace, TooTight, Verdict,
 };
 use sheetwright::design::{Axis, DivideJoint, ReadNote, Unused};
 use sheetwright::divide::DivideFault;
@@ -58,11 +58,20 @@ fn of_surfaces() -> Vec<Finding> {
         moment_n,
         basis: Basis::Computed,
     };
+    let line = |lines: usize| {
+        let point = |n: usize| Point3::new(n as f64, -3.5, 0.3);
+        let line = |n: usize| LinePlace {
+            at: (3 * n..3 * n + 3).map(point).collect(),
+            on_part: (0..2).map(|n| (point(n), Point2::new(n as f64, 0.5))).collect(),
+        };
+        Place::Lines { lines: (0..lines).map(line).collect() }
+    };
     let worst = || Place::Points { at: vec![Point3::new(12.0, -3.5, 0.3)] };
     let (stiff, too_tight) = (
         Some("plywood, 3 mm".to_owned()),
         TooTight { sheet: "plywood, 3 mm".to_owned(), limit_mm: 290.0, needed_mm: 12.5 },
     );
+    let reach = Some(PointReach { reach_mm: 4.25, limit_mm: 1.0, folds: true });
     let corners = |sides: [usize; 2]| BorderSide { corners: sides, samples: samples(sides) };
     let seam = |number: usize| SeamPlace { number, ends: Some(samples([number, number + 7])) };
     let apexes = |count: usize| Place::Samples { numbers: samples([2, 4, 8])[..count].to_vec() };
@@ -107,9 +116,9 @@ fn of_surfaces() -> Vec<Finding> {
             Kind::SheetTooThick { drawn_mm: 1.25, inside_mm: 2.0, thickness_mm: 2.0 },
             rungs(&[3, 5]),
         ),
-        Finding::new(Kind::Points { count: 1, turn: sharpest, too_tight: None }, apexes(1)),
+        Finding::new(Kind::Points { count: 1, turn: sharpest, reach, too_tight: None }, apexes(1)),
         Finding::new(
-            Kind::Points { count: 3, turn: sharpest, too_tight: Some(too_tight) },
+            Kind::Points { count: 3, turn: sharpest, reach, too_tight: Some(too_tight) },
             apexes(3),
         ),
         Finding::new(
@@ -122,6 +131,24 @@ fn of_surfaces() -> Vec<Finding> {
         Finding::new(Kind::Folds { count: 2, sharpest, stiff: None }, rungs(&[8, 10])),
         Finding::new(Kind::BendLines { count: 1, sharpest }, rungs(&[8])),
         Finding::new(Kind::BendLines { count: 2, sharpest }, rungs(&[8, 10])),
+        Finding::new(
+            Kind::BendsDivided {
+                parts: 2,
+                way: CutWay::Across,
+                strain: 2.1e-4,
+                verdict: Verdict::BendsAndFolds,
+            },
+            line(1),
+        ),
+        Finding::new(
+            Kind::BendsDivided {
+                parts: 3,
+                way: CutWay::Lengthwise,
+                strain: 2.1e-4,
+                verdict: Verdict::Roll,
+            },
+            line(2),
+        ),
         Finding::new(Kind::WindowGap { widest_mm: 0.25 }, Place::Seams { seams: vec![seam(1)] }),
         Finding::new(
             Kind::Seams { count: 8, length_mm: 120.0, why: SeamCause::NotFlat },
@@ -132,6 +159,7 @@ fn of_surfaces() -> Vec<Finding> {
         Kind::BetterWithoutPlane { with: 4.0, without: 1.0 },
         Kind::TwoSurfaces { apart_mm: 12.5, is_one_pattern: false, other: Verdict::BendsWithForce },
         Kind::TwoSurfaces { apart_mm: 2.5, is_one_pattern: true, other: Verdict::Bends },
+        Kind::DividedInVain { most: 4 },
         Kind::NoOtherSurface,
         Kind::StrainNotReached { wanted: 0.8, reached: 1.25 },
         Kind::NotProven { gap: Some(0.0125), cut_short: true },
@@ -187,7 +215,8 @@ fn of_meshes() -> Vec<Finding> {
         Kind::Creases { count: 4, sharpest: from_deg(31.0), stiff: None },
         Kind::FoldedFacets { mountains: 41, valleys: 1, sharpest: from_deg(84.0), stiff: None },
         Kind::FoldedFacets { mountains: 1, valleys: 0, sharpest: from_deg(84.0), stiff: sheet() },
-        Kind::FacetsMeant { facets: 450, turn: from_deg(22.0) },
+        Kind::FacetsMeant { facets: 450, turn: from_deg(22.0), overlaps: false },
+        Kind::FacetsMeant { facets: 24, turn: from_deg(90.0), overlaps: true },
         Kind::FacetsFew { facets: 450 },
         Kind::BorderNotTrue { largest: 0.0001 },
         Kind::Flipped { count: 1 },

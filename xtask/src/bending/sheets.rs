@@ -187,7 +187,7 @@ fn of_panel(part: &Part, predicted: &Predicted, design: &Design, most: f64) -> J
     };
     Judged {
         panel: part.name.clone(),
-        quick: screen(&part.sheet, &part.measures, design.material.as_ref()).strain,
+        quick: screen(&part.sheet, &part.flat, &part.measures, design.material.as_ref()).strain,
         computed: predicted.strain,
         limit: predicted.limits.strain,
         fine,

@@ -4,7 +4,11 @@
 //! - Drawings (SVG, DXF, PDF): byte by byte, and where bytes differ, whether their lines do.
 //! - Pages, texts and times may change and are only counted.
 //! - All other files, as surfaces, tables and statuses: byte by byte.
+//!
+//! With `--bytes` nothing may differ but times: for two builds of one code. Then each file that
+//! differs is named with the place where it first does (`bytes`).
 
+mod bytes;
 mod drawing;
 mod leaves;
 
@@ -16,7 +20,8 @@ use std::path::{Path, PathBuf};
 
 const HELP: &str = "`cargo xtask compare` takes BEFORE AFTER, the folders of two runs of `cargo xtask \
                     outputs`, and, for what is meant to change, `--added-keys` (new values of reports \
-                    are listed as added) and `--same-drawings` (a drawing may be written another way)";
+                    are listed as added) and `--same-drawings` (a drawing may be written another \
+                    way); or `--bytes`: nothing but times may differ";
 /// So many differences of one report are listed.
 const SHOWN: usize = 12;
 /// The keys of sentences in a report.
@@ -27,6 +32,8 @@ const SENTENCES: [&str; 2] = ["text", "where"];
 struct Allowed {
     added_keys: bool,
     same_drawings: bool,
+    /// Nothing else, and of the rest times alone.
+    only_times: bool,
 }
 
 /// The differences of two folders.
@@ -53,6 +60,7 @@ pub(crate) fn run() -> Result<(), String> {
         match &argument[..] {
             "--added-keys" => allowed.added_keys = true,
             "--same-drawings" => allowed.same_drawings = true,
+            "--bytes" => allowed.only_times = true,
             flag if flag.starts_with('-') => return Err(HELP.to_owned()),
             folder => folders.push(PathBuf::from(folder)),
         }
@@ -110,7 +118,12 @@ fn compare_file(name: &str, both: [&Vec<u8>; 2], allowed: Allowed, compared: &mu
     }
     let last = name.rsplit('/').next().unwrap_or(name);
     let is_text = [".html", ".txt"].iter().any(|ending| last.ends_with(ending));
-    if is_text || last == "timing.json" {
+    if last == "timing.json" {
+        compared.texts += 1;
+    } else if allowed.only_times {
+        let place = bytes::first_difference(before, after);
+        compared.differences.push(format!("bytes    {name}: {place}"));
+    } else if is_text {
         compared.texts += 1;
     } else if last == "report.json" {
         compare_reports(name, both, allowed, compared);
@@ -271,6 +284,17 @@ mod tests {
     }
 
     #[test]
+    fn of_two_builds_nothing_differs_but_times() {
+        let files =
+            |page, total| [("leaf/files/report.html", page), ("leaf/files/timing.json", total)];
+        let allowed = Allowed { only_times: true, ..Allowed::default() };
+        let found = compared(&files("<p>1.0\n<p>2", "1"), &files("<p>1.0\n<p>3", "2"), allowed);
+        let place = "line 2, byte 10: \"<p>2\" and \"<p>3\"";
+        assert_eq!(found.differences, [format!("bytes    leaf/files/report.html: {place}")]);
+        assert_eq!(found.texts, 1);
+    }
+
+    #[test]
     fn numbers_of_reports_are_compared_to_the_last_bit_and_sentences_are_not() {
         let report = |changed: [&str; 2]| {
             let text = REPORT.replace(changed[0], changed[1]);
@@ -303,7 +327,7 @@ mod tests {
         let after = [("report.json", &edges[..]), ("a.svg", &svg("two"))];
         let strict = compared(&before, &after, Allowed::default());
         assert_eq!(strict.differences.len(), 3, "{:?}", strict.differences);
-        let allowed = Allowed { added_keys: true, same_drawings: true };
+        let allowed = Allowed { added_keys: true, same_drawings: true, only_times: false };
         let found = compared(&before, &after, allowed);
         assert_eq!((found.differences.len(), found.redrawn), (0, 1));
         assert_eq!(found.added, BTreeMap::from([("panels[].edges[].mm".to_owned(), 2)]));

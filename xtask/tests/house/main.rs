@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)] // tests panic
 
 mod arrows;
+mod changelog;
 mod circles;
 mod comments;
 mod flags;

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 use sheetwright::flatten::Aim;
 use sheetwright::math::from_deg;
 use sheetwright::mesh::Skin;
-use sheetwright_files::{MeshSettings, Paper};
+use sheetwright_files::MeshSettings;
 
 /// How meshes are flattened.
 #[derive(Debug, Args)]
@@ -47,19 +47,7 @@ pub(crate) enum FacetsArg {
 pub(crate) struct PieceSize([f64; 2]);
 
 fn piece_size(given: &str) -> Result<PieceSize, String> {
-    let given = given.to_lowercase();
-    if let Some(paper) = Paper::from_name(&given) {
-        return Ok(PieceSize(paper.whole_piece_mm()));
-    }
-    let lengths = given.split_once(['x', '×']);
-    let size = lengths.and_then(|(width, height)| {
-        let mm = |text: &str| sheetwright_files::distance_mm(text).filter(|&mm| mm > 0.0);
-        Some(PieceSize([mm(width.trim())?, mm(height.trim())?]))
-    });
-    size.ok_or_else(|| {
-        "give a4, letter or another size of paper, or a width and a height such as 280x200"
-            .to_owned()
-    })
+    sheetwright_files::piece_size(given).map(PieceSize)
 }
 
 impl MeshArgs {

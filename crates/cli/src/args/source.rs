@@ -21,6 +21,13 @@ pub(crate) struct InputArgs {
     /// .ods), a drawing (.svg, .dxf), a mesh (.obj, .stl, .ply, .glb), or - for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: PathBuf,
+    #[command(flatten)]
+    pub(crate) form: FormArgs,
+}
+
+/// What the name of an input does not tell.
+#[derive(Debug, Args)]
+pub(crate) struct FormArgs {
     /// The format of standard input [default: told from its content]
     #[arg(long, value_enum, ignore_case = true, value_name = "FORMAT")]
     pub(crate) from: Option<StdinFormat>,
@@ -63,6 +70,11 @@ pub(crate) struct SourceArgs {
     /// itself [default: as the design says, or auto]
     #[arg(long, value_enum, ignore_case = true, value_name = "PLANE")]
     plane: Option<PlaneArg>,
+    /// The edges slide along the boundary while the sheet is bent, as a plank does that is pulled
+    /// onto its stringers before it is fastened, and nothing holds the straight ends between rails;
+    /// else every point of an edge is held
+    #[arg(long)]
+    slide: bool,
     /// The unit of a curve table, a drawing or a mesh [default: mm; of a drawing, the one that it
     /// states; of a mesh that would be smaller than 5 mm: m]; a design states its own
     #[arg(long, value_name = "UNITS", ignore_case = true, value_parser = units_parser())]
@@ -232,6 +244,7 @@ impl SourceArgs {
                 PlaneArg::Auto => PlaneChoice::Auto,
                 PlaneArg::None => PlaneChoice::None,
             }),
+            slides: self.slide.then_some(true),
             units: self.units,
             rails: self.rails.clone(),
             material: self.material.clone(),

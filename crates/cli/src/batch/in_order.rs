@@ -39,6 +39,9 @@ pub(super) fn in_order<T: Send, R: Send>(
     work: impl Fn(T) -> R + Sync,
     mut take: impl FnMut(Option<R>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
+    if cfg!(target_family = "wasm") {
+        return one_by_one(items, work, take);
+    }
     let gate = Gate::new(limits);
     let (to_workers, queue) = channel();
     let (done, outcomes) = channel();
@@ -64,6 +67,19 @@ pub(super) fn in_order<T: Send, R: Send>(
         // Whatever is left to do after an error, is left.
         take_in_order(&outcomes, &gate, limits.every, &mut take)
     })
+}
+
+/// The work on the thread that calls, where the system has no others.
+fn one_by_one<T, R>(
+    items: impl Iterator<Item = Result<T, Failure>>,
+    work: impl Fn(T) -> R,
+    mut take: impl FnMut(Option<R>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    for item in items {
+        take(Some(work(item?)))?;
+        take(None)?;
+    }
+    Ok(())
 }
 
 fn spawn<'scope>(
@@ -250,6 +266,18 @@ mod tests {
         assert_eq!(taken, (0..500).map(|n| n * n).collect::<Vec<u64>>());
         // Five of them have 100 bytes; one more is read and waits at the gate.
         assert!(most.load(Ordering::SeqCst) <= 6, "{most:?}");
+    }
+
+    #[test]
+    fn one_thread_takes_an_outcome_after_the_other() {
+        let items = [Ok(1), Ok(2), Err(Failure::new("no more", "rest")), Ok(4)].into_iter();
+        let mut taken = Vec::new();
+        let take = |outcome: Option<u64>| {
+            taken.push(outcome);
+            Ok(())
+        };
+        assert_eq!(one_by_one(items, |n| 10 * n, take).unwrap_err().message, "no more");
+        assert_eq!(taken, [Some(10), None, Some(20), None]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use crate::args::{BatchArgs, StdinFormat};
 use crate::failure::Failure;
-use crate::source::STDIN;
+use crate::source::{STDIN, STDIN_TWICE, STDIN_TWICE_HINT, is_stdin};
 use sheetwright_files::{
     DesignLine, DesignLines, INPUT_ENDINGS, Ids, InputError, InputFormat, TablePanel, TablePanels,
     holds_panels, io_error, stem,
@@ -76,11 +76,10 @@ pub(super) struct Items {
 impl Items {
     /// The items of a call that writes this table.
     pub(super) fn new(args: &BatchArgs, table: Option<&Path>) -> Result<Self, Failure> {
-        let stdin = args.inputs.iter().filter(|input| **input == Path::new("-")).count();
+        let stdin = args.inputs.iter().filter(|input| is_stdin(input)).count();
         let (from, paths) = (args.from, args.inputs.iter().cloned().collect());
         if stdin > 1 {
-            let hint = "Name it once.";
-            return Err(Failure::new("standard input is named twice", hint));
+            return Err(Failure::new(STDIN_TWICE, STDIN_TWICE_HINT));
         }
         if from.is_some() && stdin == 0 {
             let hint = "Leave --from out: the ending of a file's name tells its format.";

@@ -247,7 +247,7 @@ fn come_back(left: Option<&Left>, editor: &mut Editor) {
     match Draft::read(&left.found.bytes) {
         Ok(draft) => {
             let source = Source::Slot(left.found.slot.clone());
-            let coming = Coming { draft, is_safe: false, source };
+            let coming = Coming { draft, is_safe: false, source, said: None };
             editor.leave_for(Next::Document(Box::new(coming)));
         }
         Err(text) => editor.failed(text),

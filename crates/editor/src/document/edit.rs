@@ -116,6 +116,7 @@ pub fn edited(document: &Document, edit: &Edit) -> Outcome {
             };
             with_sheet(document, next)
         }
+        Edit::Scale(factor) => super::size::scaled(document, *factor).map(Edited::of),
         Edit::SetDrawing(drawing) => {
             Ok(Edited::of(Document { drawing: (**drawing).clone(), ..document.clone() }))
         }

@@ -88,6 +88,8 @@ pub enum Edit {
         /// material.
         bend_radius_mm: Option<f64>,
     },
+    /// All lengths of the design and of its drawing change by this factor.
+    Scale(f64),
     /// How the design is drawn.
     SetDrawing(Box<Drawing>),
 }

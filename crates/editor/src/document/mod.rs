@@ -6,6 +6,7 @@ mod edits;
 pub(crate) mod file;
 mod history;
 mod selection;
+mod size;
 
 pub use draft::Draft;
 pub use edits::Edit;

@@ -5,9 +5,11 @@
 
 use super::{Coming, Editor, Next, Source};
 use crate::document::{Document, Draft, Reference};
-use sheetwright::math::Point2;
+use sheetwright::math::{Point2, Point3};
 use sheetwright::predicate::Box2;
-use sheetwright_files::{InputFormat, OutputFile, ReadOptions, read_bytes};
+use sheetwright_files::{
+    InputFormat, MeshFormat, OutputFile, ReadOptions, Units, read_bytes, units_said,
+};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -51,10 +53,26 @@ pub struct Dropped {
     pub bytes: Result<Vec<u8>, String>,
 }
 
-/// What a dropped file is taken for.
+/// A table whose numbers are in a unit that it does not name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unitless {
+    opened: Opened,
+    /// The largest extent of its curves, in its unit.
+    pub length: f64,
+}
+
+impl Unitless {
+    /// The name of its file.
+    pub fn name(&self) -> &str {
+        name_of(&self.opened.path)
+    }
+}
+
+/// What a file is taken for.
 enum Taken {
     Design(Box<Coming>),
     Picture(Opened),
+    Unitless(Unitless),
 }
 
 /// What the editor opens.
@@ -89,15 +107,40 @@ fn taken(file: Dropped) -> Result<Taken, String> {
     if is_picture && image::guess_format(&opened.bytes).is_ok() {
         return Ok(Taken::Picture(opened));
     }
-    coming(opened).map(|coming| Taken::Design(Box::new(coming)))
+    design_in(opened)
 }
 
-/// The design or the table in a file, as what comes next.
-fn coming(opened: Opened) -> Result<Coming, String> {
-    let Opened { path, bytes } = opened;
-    let document = Document::read(&path, &bytes)?;
+/// The design that a file holds; a table without a unit, of which the person is asked.
+fn design_in(opened: Opened) -> Result<Taken, String> {
+    match Document::read_in(&opened.path, &opened.bytes, None) {
+        Ok(read) => Ok(Taken::Design(Box::new(coming(opened.path, read)))),
+        Err(text) => without_unit(opened).map(Taken::Unitless).ok_or(text),
+    }
+}
+
+/// The file, if all that it lacks is a unit: with one it can be read.
+fn without_unit(opened: Opened) -> Option<Unitless> {
+    let format = InputFormat::of(Path::new(&opened.path)).ok()?;
+    if !matches!(format, InputFormat::Table | InputFormat::Workbook) {
+        return None;
+    }
+    let (read, _) =
+        Document::read_in(&opened.path, &opened.bytes, Some(Units::Millimetres)).ok()?;
+    let points = || read.design.curves.iter().flat_map(|curve| &curve.points).map(|p| p.at);
+    let extents = [|p: Point3| p.x, |p: Point3| p.y, |p: Point3| p.z].map(|of| {
+        let values = points().map(of);
+        let (low, high) = (values.clone().reduce(f64::min)?, values.reduce(f64::max)?);
+        Some(high - low)
+    });
+    let length = extents.into_iter().flatten().fold(0.0, f64::max);
+    Some(Unitless { opened, length })
+}
+
+/// A document that was read from a file, as what comes next, and what is to be said of it.
+fn coming(path: String, (document, said): (Document, Option<&'static str>)) -> Coming {
     let file = path.ends_with(".json").then(|| path.clone());
-    Ok(Coming { draft: Draft { document, file }, is_safe: true, source: Source::File(path) })
+    let source = Source::File(path);
+    Coming { draft: Draft { document, file }, is_safe: true, source, said }
 }
 
 /// The last part of a path.
@@ -115,6 +158,14 @@ fn left_out(names: &[String]) -> String {
         }
     }
 }
+
+/// What is said of a mesh whose numbers would be too small for millimetres.
+const IN_METRES: &str = "The file names no unit, and would be small for a sheet in millimetres: it \
+                         is read in metres. Its size is among the fields of the panel.";
+const GLB_IN_METRES: &str = "The file is read in metres, as the standard of glTF says. Its size is \
+                             among the fields of the panel.";
+const GLB_IN_MILLIMETRES: &str = "The standard of glTF says metres, and the file is read in \
+                                  millimetres. Its size is among the fields of the panel.";
 
 /// A larger picture would not fit where drawings are kept.
 const MOST_PICTURE_BYTES: usize = 8 << 20;
@@ -157,8 +208,38 @@ impl Editor {
     /// A file was chosen to be opened. It is, once the person has decided about work that no file
     /// has.
     pub fn open(&mut self, opened: Opened) {
-        match coming(opened) {
-            Ok(coming) => self.leave_for(Next::Document(Box::new(coming))),
+        match design_in(opened) {
+            Ok(taken) => self.take(taken),
+            Err(text) => self.refuse(text),
+        }
+    }
+
+    fn take(&mut self, taken: Taken) {
+        match taken {
+            Taken::Design(coming) => self.leave_for(Next::Document(coming)),
+            Taken::Picture(picture) => {
+                self.page = super::Page::Panes;
+                self.trace(picture);
+            }
+            Taken::Unitless(unitless) => {
+                self.unitless = Some(unitless);
+                self.page = super::Page::Unit;
+            }
+        }
+    }
+
+    /// The table of which the person is asked in which unit its numbers are.
+    pub fn unitless(&self) -> Option<&Unitless> {
+        self.unitless.as_ref()
+    }
+
+    /// The numbers of that table are in this unit, or the person would not say.
+    pub fn unit_is(&mut self, unit: Option<Units>) {
+        self.page = super::Page::Panes;
+        let unitless = self.unitless.take();
+        let (Some(Unitless { opened, .. }), Some(unit)) = (unitless, unit) else { return };
+        match Document::read_in(&opened.path, &opened.bytes, Some(unit)) {
+            Ok(read) => self.leave_for(Next::Document(Box::new(coming(opened.path, read)))),
             Err(text) => self.refuse(text),
         }
     }
@@ -181,11 +262,7 @@ impl Editor {
             }
         }
         match (found, refusal) {
-            (Some(Taken::Design(coming)), _) => self.leave_for(Next::Document(coming)),
-            (Some(Taken::Picture(picture)), _) => {
-                self.page = super::Page::Panes;
-                self.trace(picture);
-            }
+            (Some(taken), _) => self.take(taken),
             (None, Some(text)) => {
                 // The first is named by why it can't be opened.
                 others.remove(0);
@@ -251,18 +328,45 @@ impl Document {
     /// # Errors
     /// What is wrong with it and what to do, in words.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, String> {
+        Self::read_in(path, bytes, None).map(|(document, _)| document)
+    }
+
+    /// The document of a file that is read in this unit, whatever it names, and what is to be said
+    /// of the unit that it was read in.
+    fn read_in(
+        path: &str,
+        bytes: &[u8],
+        units: Option<Units>,
+    ) -> Result<(Self, Option<&'static str>), String> {
         let words = |error: sheetwright_files::InputError| format!("{error}. {}", error.hint);
         let of = Path::new(path);
         let format =
             InputFormat::of(of).map_err(|error| format!("{error}. {TAKEN} {}", way_out(bytes)))?;
         match format {
-            InputFormat::Design => crate::document::file::read(path, bytes).map_err(words),
+            InputFormat::Design => {
+                crate::document::file::read(path, bytes).map(|read| (read, None)).map_err(words)
+            }
             InputFormat::Table
             | InputFormat::Workbook
             | InputFormat::Mesh(_)
             | InputFormat::Drawing(_) => {
-                let design = read_bytes(format, bytes, path, of.parent(), &ReadOptions::default());
-                Ok(Self { design: design.map_err(words)?, ..Self::default() })
+                let options = ReadOptions { units, ..ReadOptions::default() };
+                let design = read_bytes(format, bytes, path, of.parent(), &options);
+                let mut design = design.map_err(words)?;
+                let names_none = units.is_none() && units_said(bytes).is_none();
+                let is_unsure = names_none && matches!(format, InputFormat::Mesh(_));
+                let in_metres = is_unsure && Units::meant(design.extent_mm()) == Units::Metres;
+                if in_metres {
+                    design = design.scaled(Units::Metres.in_mm());
+                }
+                let is_glb = format == InputFormat::Mesh(MeshFormat::Glb);
+                let said = match (in_metres, is_glb && is_unsure) {
+                    (true, true) => Some(GLB_IN_METRES),
+                    (true, false) => Some(IN_METRES),
+                    (false, true) => Some(GLB_IN_MILLIMETRES),
+                    (false, false) => None,
+                };
+                Ok((Self { design, ..Self::default() }, said))
             }
         }
     }

@@ -3,8 +3,9 @@
 use super::{Editor, Page};
 use crate::document::Document;
 use crate::document::Selection;
+use crate::engine::shown::ShownPanel;
 use crate::engine::{Answer, Detail, Engine, Job};
-use sheetwright::check::Place;
+use sheetwright::check::{Finding, Place, Verdict};
 use sheetwright::design::{Design, Vary};
 use sheetwright::watch::Stage;
 use sheetwright_files::Format;
@@ -24,6 +25,8 @@ pub(super) struct Jobs {
     asked: [Vec<Asked>; 2],
     /// The version whose panels are shown, and how fine they are.
     shown: Option<(u64, Detail)>,
+    /// Where to divide what is shown.
+    advice: Advice,
     changed: Instant,
     seen_version: Option<u64>,
     /// A long job: its number, what it is, since when, and how far it is.
@@ -38,6 +41,18 @@ pub(super) struct Jobs {
 struct Asked {
     number: u64,
     version: u64,
+}
+
+/// How far it is known where to divide panels that will not bend.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Advice {
+    /// It is to be asked for.
+    #[default]
+    Open,
+    /// It is asked for.
+    Asked(u64),
+    /// All of it is there.
+    Known,
 }
 
 struct Long {
@@ -67,6 +82,7 @@ impl Jobs {
             next: 0,
             asked: Default::default(),
             shown: None,
+            advice: Advice::Open,
             changed: Instant::now(),
             seen_version: None,
             long: None,
@@ -77,6 +93,10 @@ impl Jobs {
 
     pub(super) fn is_settled(&self, version: u64) -> bool {
         self.shown == Some((version, Detail::Full)) && self.long.is_none()
+    }
+
+    pub(super) fn is_advised(&self, version: u64) -> bool {
+        self.is_settled(version) && self.advice == Advice::Known
     }
 
     pub(super) fn work(&self) -> Option<Work<'_>> {
@@ -95,6 +115,10 @@ impl Jobs {
             _ => self.long = None,
         }
         self.asked[Detail::Full as usize].clear();
+        // Where it waited, it is asked for again.
+        if self.advice != Advice::Known {
+            self.advice = Advice::Open;
+        }
     }
 
     /// Stops, and takes no answer to what was asked before: for another document.
@@ -103,10 +127,11 @@ impl Jobs {
         self.long = None;
         self.exports.clear();
         self.asked = Default::default();
+        self.advice = Advice::Open;
     }
 
     /// Asks for the panels of a document as far as they are not shown: coarse ones at once, and the
-    /// full ones when the hand rests.
+    /// full ones when the hand rests. When these are shown, asks where to divide them.
     pub(super) fn show(&mut self, document: &Document, version: u64, is_dragging: bool) {
         if self.seen_version != Some(version) {
             self.seen_version = Some(version);
@@ -114,7 +139,11 @@ impl Jobs {
         }
         let is_asked = |asked: &[Asked]| asked.last().is_some_and(|last| last.version == version);
         let rests = !is_dragging || self.changed.elapsed() >= REST;
-        if self.shown == Some((version, Detail::Full)) || is_asked(&self.asked[1]) {
+        if self.shown == Some((version, Detail::Full)) {
+            self.advise(document);
+            return;
+        }
+        if is_asked(&self.asked[1]) {
             return;
         }
         let is_coarse = self.shown == Some((version, Detail::Coarse)) || is_asked(&self.asked[0]);
@@ -132,6 +161,16 @@ impl Jobs {
             Detail::Full => self.begin(number, true, "Working out the panels"),
         }
         self.engine.ask(Job::Show { number, design, detail });
+    }
+
+    /// Asks where to divide panels, as far as that is not known. It is not said that this is looked
+    /// for: nobody need wait for it.
+    fn advise(&mut self, document: &Document) {
+        if self.advice == Advice::Open {
+            let number = self.number();
+            self.advice = Advice::Asked(number);
+            self.engine.ask(Job::Advise { number, design: Arc::new(document.design.clone()) });
+        }
     }
 
     fn number(&mut self) -> u64 {
@@ -185,7 +224,15 @@ impl Editor {
                     });
                     if is_newer {
                         self.jobs.shown = Some((asked.version, detail));
+                        let may_help = panels.iter().any(will_not_bend);
+                        self.jobs.advice = if may_help { Advice::Open } else { Advice::Known };
                         self.show(panels);
+                    }
+                }
+                Answer::Advised { number, advice, is_over } => {
+                    if self.jobs.advice == Advice::Asked(number) {
+                        self.jobs.advice = if is_over { Advice::Known } else { Advice::Open };
+                        self.advised(advice);
                     }
                 }
                 Answer::Varied { number, outcome } => {
@@ -219,7 +266,19 @@ impl Editor {
         }
     }
 
-    fn show(&mut self, panels: Vec<crate::engine::shown::ShownPanel>) {
+    /// Adds to panels where to divide them.
+    fn advised(&mut self, advice: Vec<(String, Finding)>) {
+        for (name, finding) in advice {
+            let part = self.shown.iter_mut().find(|part| part.name == name);
+            if let Some(Ok(made)) = part.map(|part| &mut part.made)
+                && made.add(finding)
+            {
+                self.shown_version += 1;
+            }
+        }
+    }
+
+    fn show(&mut self, panels: Vec<ShownPanel>) {
         self.shown = panels;
         self.shown_version += 1;
         let Selection { panel, place, .. } = &mut self.selection;
@@ -264,6 +323,10 @@ impl Editor {
         self.page = Page::Panes;
         self.jobs.export(design, formats);
     }
+}
+
+fn will_not_bend(panel: &ShownPanel) -> bool {
+    panel.made.as_ref().is_ok_and(|made| made.verdict == Verdict::WillNotBend)
 }
 
 #[cfg(test)]

@@ -26,6 +26,8 @@ pub struct Coming {
     pub is_safe: bool,
     /// Where it comes from.
     pub source: Source,
+    /// What is to be said once it is there.
+    pub said: Option<&'static str>,
 }
 
 /// Where a document comes from.
@@ -126,12 +128,15 @@ impl Editor {
                 self.tool = Tool::Draw;
             }
             Next::Document(coming) => {
-                let Coming { draft, is_safe, source } = *coming;
+                let Coming { draft, is_safe, source, said } = *coming;
                 self.replace(draft.document, draft.file);
                 if !is_safe {
                     self.mark_unsaved();
                 }
                 self.sources.push(source);
+                if let Some(said) = said {
+                    self.say(said);
+                }
             }
             Next::Close => {
                 // Whatever of it was wanted is saved, or kept as dropped.

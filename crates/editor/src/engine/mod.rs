@@ -16,6 +16,7 @@ pub use thread::Engine;
 pub use worker::Engine;
 
 use crate::words::sentence;
+use sheetwright::check::Finding;
 use sheetwright::design::{Design, LEAST_EFFORT, Stock};
 use sheetwright::watch::Stage;
 use sheetwright_files::{Format, OutputFile};
@@ -43,6 +44,14 @@ pub enum Job {
         /// How fine.
         detail: Detail,
     },
+    /// Where to divide panels that will not bend, once the panels are shown in full: a part of the
+    /// search, so that what comes meanwhile need not wait.
+    Advise {
+        /// Counts up; the answer repeats it.
+        number: u64,
+        /// The design.
+        design: Arc<Design>,
+    },
     /// The design with its points moved as [`Design::vary`] says.
     Vary {
         /// Counts up; the answer repeats it.
@@ -65,10 +74,16 @@ impl Job {
     /// Its number.
     pub fn number(&self) -> u64 {
         match self {
-            Self::Show { number, .. } | Self::Vary { number, .. } | Self::Export { number, .. } => {
-                *number
-            }
+            Self::Show { number, .. }
+            | Self::Advise { number, .. }
+            | Self::Vary { number, .. }
+            | Self::Export { number, .. } => *number,
         }
+    }
+
+    /// Whether it is for what is shown, so that a change makes it outdated.
+    pub(crate) fn is_for_shown(&self) -> bool {
+        matches!(self, Self::Show { .. } | Self::Advise { .. })
     }
 
     /// What a job that is to stop at a stage becomes where nothing of it can be kept: while parts
@@ -125,6 +140,15 @@ pub enum Answer {
         detail: Detail,
         /// The panels.
         panels: Vec<ShownPanel>,
+    },
+    /// Where to divide panels.
+    Advised {
+        /// The number of the job.
+        number: u64,
+        /// All that is known of it, by the names of the parts.
+        advice: Vec<(String, Finding)>,
+        /// Whether that is all: else the search is to go on.
+        is_over: bool,
     },
     /// A design whose points were moved.
     Varied {

@@ -193,6 +193,17 @@ impl Shown {
         }
     }
 
+    /// Adds a finding in its place, the worst first, unless it is there; whether it was not.
+    pub fn add(&mut self, finding: Finding) -> bool {
+        let is_new = !self.findings.contains(&finding);
+        if is_new {
+            let is_as_bad = |other: &Finding| other.severity() >= finding.severity();
+            let place = self.findings.partition_point(is_as_bad);
+            self.findings.insert(place, finding);
+        }
+        is_new
+    }
+
     /// Whether a place can be marked: one rung that is there, or where something is found. With
     /// other samples a number means something else.
     pub fn has(&self, place: &Place) -> bool {

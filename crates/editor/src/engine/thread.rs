@@ -32,8 +32,8 @@ impl Engine {
     pub fn ask(&mut self, job: Job) {
         match job {
             Job::Show { detail: Detail::Coarse, .. } => {
-                // All of it that is shown at rest is outdated, and would only take time from the
-                // hand.
+                // All that is done at rest for what is shown is outdated, and would only take time
+                // from the hand.
                 self.slow.drop_shows();
                 self.quick.put(job);
             }
@@ -80,7 +80,7 @@ struct Waiting {
 
 /// A job at work.
 struct AtWork {
-    shows: bool,
+    is_for_shown: bool,
     orders: Arc<Orders>,
 }
 
@@ -114,8 +114,8 @@ impl Desk {
     /// What is to be shown is outdated.
     fn drop_shows(&self) {
         let mut waiting = self.waiting();
-        waiting.jobs.retain(|other| !matches!(other, Job::Show { .. }));
-        if let Some(at_work) = waiting.at_work.as_ref().filter(|at_work| at_work.shows) {
+        waiting.jobs.retain(|other| !other.is_for_shown());
+        if let Some(at_work) = waiting.at_work.as_ref().filter(|at_work| at_work.is_for_shown) {
             at_work.orders.outdated.store(true, Relaxed);
         }
     }
@@ -152,8 +152,8 @@ fn work_at(tray: &Tray, send: &Sender<Answer>, wake: &Wake, patience: Duration) 
         }
         let Some(job) = waiting.jobs.pop_front() else { return };
         let orders = Arc::<Orders>::default();
-        let shows = matches!(job, Job::Show { .. });
-        waiting.at_work = Some(AtWork { shows, orders: orders.clone() });
+        let is_for_shown = job.is_for_shown();
+        waiting.at_work = Some(AtWork { is_for_shown, orders: orders.clone() });
         drop(waiting);
         let mut teller = Teller {
             number: job.number(),

@@ -6,12 +6,17 @@
 use super::fineness::Fineness;
 use super::shown::{Shown, ShownPanel};
 use super::{Answer, Detail, Job, Refusal, Varied};
+use sheetwright::check::Finding;
 use sheetwright::design::Design;
 use sheetwright::make::{Live, LivePanel, Made, MakeError, Part, make};
 use sheetwright::material::Material;
 use sheetwright::watch::Watch;
 use sheetwright_files::{Format, OutputFile, OutputOptions, hint_for, output_files};
-use web_time::Instant;
+use web_time::{Duration, Instant};
+
+/// How long the search for divisions goes on at a time: a worker hears nothing meanwhile. A step
+/// more may have begun before.
+const SLICE: Duration = Duration::from_millis(100);
 
 /// One who works.
 #[derive(Default)]
@@ -30,6 +35,10 @@ impl Work {
                     Detail::Full => self.rest(design, watch),
                 };
                 Some(Answer::Shown { number: *number, detail: *detail, panels: panels? })
+            }
+            Job::Advise { number, design } => {
+                let (advice, is_over) = self.advise(design, watch)?;
+                Some(Answer::Advised { number: *number, advice, is_over })
             }
             Job::Vary { number, design } => {
                 let made = make(design, watch);
@@ -68,13 +77,49 @@ impl Work {
         self.live.update(design.clone(), watch);
         (!watch.stop()).then(|| shown_panels(&self.live))
     }
+
+    /// Goes on with the search for divisions of panels that will not bend, until there is something
+    /// new, or for [`SLICE`]: all that is known, and whether that is all there is. `None` where it
+    /// was stopped; what was found until then is kept.
+    fn advise(&mut self, design: &Design, watch: &mut dyn Watch) -> Option<Advice> {
+        let begun = Instant::now();
+        // Nothing, unless this is a worker that has begun after the panels were shown.
+        self.live.update(design.clone(), watch);
+        let known = advice(&self.live).len();
+        loop {
+            if watch.stop() {
+                return None;
+            }
+            let goes_on = self.live.advise(watch);
+            let found = advice(&self.live);
+            if !goes_on || found.len() > known || begun.elapsed() >= SLICE {
+                return (!watch.stop()).then_some((found, !goes_on));
+            }
+        }
+    }
+}
+
+/// Findings on where to divide parts, by their names; and whether these are all.
+type Advice = (Vec<(String, Finding)>, bool);
+
+/// What is known of where to divide panels.
+fn advice(live: &Live) -> Vec<(String, Finding)> {
+    let parts = live.panels().iter().filter_map(|panel| panel.made.as_ref().ok()).flatten();
+    parts.filter_map(|part| Some((part.name.clone(), live.advice_on(part)?.clone()))).collect()
 }
 
 /// Points that may move stay where they are drawn until somebody asks.
 fn shown_panels(live: &Live) -> Vec<ShownPanel> {
     let material = live.design().material.as_ref();
+    let shown = |part: &Part| {
+        let mut shown = shown(part, material);
+        if let (Ok(made), Some(finding)) = (&mut shown.made, live.advice_on(part)) {
+            _ = made.add(finding.clone());
+        }
+        shown
+    };
     let of_panel = |panel: &LivePanel, made: &Result<Vec<Part>, MakeError>| match made {
-        Ok(parts) => parts.iter().map(|part| shown(part, material)).collect(),
+        Ok(parts) => parts.iter().map(shown).collect(),
         Err(error) => {
             let (name, made) = (panel.name.clone(), Err(refusal(error)));
             vec![ShownPanel { name: name.clone(), panel: name, made }]
@@ -89,14 +134,20 @@ fn shown_panels(live: &Live) -> Vec<ShownPanel> {
     }
 }
 
-/// The files that the command line writes of a design. `None` where it was stopped before parts
-/// were laid out; the best layout so far counts where that was stopped.
+/// The files that the command line writes of a design, advice on dividing among them. `None` where
+/// it was stopped before parts were laid out; the best layout so far counts where that was stopped.
 fn files(
     design: &Design,
     formats: &[Format],
     watch: &mut dyn Watch,
 ) -> Option<Result<Vec<OutputFile>, Refusal>> {
-    let made = make(design, watch);
+    let mut made = make(design, watch);
+    // No other file tells notes.
+    if let Ok(made) = &mut made
+        && formats.contains(&Format::Report)
+    {
+        made.advise(watch);
+    }
     if watch.stop() {
         return None;
     }
@@ -140,7 +191,7 @@ fn varied(made: Made) -> Varied {
 mod tests {
     use super::*;
     use crate::engine::tests::saddles;
-    use sheetwright::check::{Finding, FindingKind};
+    use sheetwright::check::FindingKind;
     use sheetwright::design::{SheetForm, Stock, StockSheet};
     use sheetwright::watch::{Stage, Unwatched};
     use sheetwright_shapes::drag::Drag;

@@ -185,9 +185,11 @@ impl Desk {
         let mut tray = self.0.borrow_mut();
         let mut outdated = false;
         if matches!(job, Job::Show { .. }) {
-            tray.jobs.retain(|other| !matches!(other, Job::Show { .. }));
+            tray.jobs.retain(|other| !other.is_for_shown());
             let patience = tray.patience;
-            outdated = matches!(&tray.at_work, Some((Job::Show { .. }, since)) if since.elapsed() >= patience);
+            let is_late =
+                |(job, since): &(Job, Instant)| job.is_for_shown() && since.elapsed() >= patience;
+            outdated = tray.at_work.as_ref().is_some_and(is_late);
             if outdated {
                 tray.patience = patience.saturating_mul(2);
             }
@@ -309,6 +311,10 @@ fn refused(job: &Job, fault: &str) -> Answer {
             };
             let panels = design.panels_to_make().iter().map(|made| panel(&made.name)).collect();
             Answer::Shown { number: *number, detail: *detail, panels }
+        }
+        // There is no advice then, and the panels are shown.
+        Job::Advise { number, .. } => {
+            Answer::Advised { number: *number, advice: Vec::new(), is_over: true }
         }
         Job::Vary { number, .. } => Answer::Varied { number: *number, outcome: Err(refusal) },
         Job::Export { number, .. } => Answer::Files { number: *number, outcome: Err(refusal) },

@@ -7,6 +7,7 @@ pub mod palette;
 pub mod start;
 pub mod tour;
 pub mod typed;
+pub mod unit;
 pub mod unsaved;
 pub mod vary;
 

@@ -32,6 +32,12 @@ impl Marks {
         match place {
             Place::Whole | Place::CurvePoints { .. } => {}
             Place::Points { at } => marks.spots.clone_from(at),
+            Place::Lines { lines } => {
+                for pair in lines.iter().flat_map(|line| line.on_part.windows(2)) {
+                    marks.lines.push([pair[0].0, pair[1].0]);
+                    marks.flat_lines.push([pair[0].1, pair[1].1]);
+                }
+            }
             Place::Rungs { numbers } => {
                 for rung in numbers.iter().filter_map(|&n| shown.rungs.get(n)) {
                     marks.line(shown, rung.ends);
@@ -121,7 +127,7 @@ fn flat_sides(shown: &Shown, ends: [u32; 2]) -> Vec<[u32; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sheetwright::check::{BorderSide, SeamPlace};
+    use sheetwright::check::{BorderSide, LinePlace, SeamPlace};
     use sheetwright::design::Design;
     use sheetwright::make::make;
     use sheetwright::template::{catalogue, template};
@@ -176,11 +182,14 @@ mod tests {
     }
 
     #[test]
-    fn triangles_sides_and_seams_have_marks() {
+    fn triangles_sides_seams_and_lines_have_marks() {
         let shown = &shown(&template("cone").unwrap().defaults().design().unwrap())[0];
         let sample = |n: u32| SampleIndex::new(n as usize);
         let (corners, flat) = (shown.triangles[3], shown.flat_triangles[3]);
         let side = [corners[0], corners[1]].map(sample);
+        let on_part =
+            [0, 1].map(|n| (shown.positions[corners[n] as usize], shown.flat[flat[n] as usize]));
+        let line = LinePlace { at: Vec::new(), on_part: on_part.to_vec() };
         let places = [
             (Place::Triangles { corners: vec![corners.map(sample)] }, 3),
             (
@@ -193,6 +202,7 @@ mod tests {
                 1,
             ),
             (Place::Seams { seams: vec![SeamPlace { number: 0, ends: Some(side) }] }, 1),
+            (Place::Lines { lines: vec![line] }, 1),
         ];
         for (place, count) in places {
             let marks = Marks::of(&place, shown);

@@ -9,7 +9,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use sheetwright::math::Point2;
 use sheetwright_editor::app::App;
 use sheetwright_editor::command::Command;
-use sheetwright_editor::editor::{FileWish, Opened};
+use sheetwright_editor::editor::{Editor, FileWish, Opened};
 use sheetwright_editor::io::{Dialogs, FileAnswer, Typed, read_dropped};
 use sheetwright_editor::scene::Act;
 use sheetwright_files::OutputFile;
@@ -150,10 +150,19 @@ impl Hands {
 
     /// Frames until everything is worked out.
     pub(crate) fn settle(&mut self) {
+        self.frames_until(Editor::is_settled);
+    }
+
+    /// Frames until it is known, too, where to divide what will not bend.
+    pub(crate) fn advise(&mut self) {
+        self.frames_until(Editor::is_advised);
+    }
+
+    fn frames_until(&mut self, is_it: impl Fn(&Editor) -> bool) {
         let start = Instant::now();
         loop {
             self.step();
-            if self.app().editor().is_settled() {
+            if is_it(self.app().editor()) {
                 self.step();
                 return;
             }

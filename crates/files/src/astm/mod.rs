@@ -120,7 +120,7 @@ fn block(pairs: &mut Pairs, piece: &Piece, quantity: Quantity, name: &str, mater
 
 fn of_path(pairs: &mut Pairs, path: &PatternPath) {
     let line = |pairs: &mut Pairs, layer: &str| {
-        pairs.line(layer, &FileLine::polyline(path.points.clone(), path.closed));
+        pairs.line(layer, None, &FileLine::polyline(path.points.clone(), path.closed));
     };
     match (path.kind, path.role) {
         (PathKind::Outline, _) => {

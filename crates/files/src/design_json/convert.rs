@@ -403,6 +403,7 @@ impl PanelReader<'_> {
             method,
             goal,
             run_on,
+            slides: options.slides.or(file.slide).unwrap_or(false),
             plane: self.source.options.plane.unwrap_or(plane),
             fold: self.fold(file.fold)?,
             effort: self.effort(file.effort)?,

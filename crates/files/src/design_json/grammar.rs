@@ -314,6 +314,12 @@ pub(super) struct PanelFile {
     /// the design. Default: no limit.
     #[serde(default)]
     pub(super) pieces_within: Option<[f64; 2]>,
+    /// Ways along which a mesh is cut, each by two points or more, in the units of the design: it
+    /// goes along sides from the vertex nearest to one point to that nearest to the next. They are
+    /// added to the lines of the mesh's file. Default: those lines alone, if any.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<Vec<[f64; 3]>>>")]
+    pub(super) seams: Option<Vec<Vec<Triple>>>,
     /// Samples of the outer loop, or of each rail. Default: as many as the tolerance takes.
     #[serde(default)]
     #[schemars(range(min = 2, max = 1_000_000))]
@@ -334,6 +340,10 @@ pub(super) struct PanelFile {
     /// ends are then curves. Only for rails. Default: false.
     #[serde(default)]
     pub(super) run_on: Option<bool>,
+    /// Whether the edges slide along the boundary while the sheet is bent; between rails, nothing
+    /// holds its straight ends then. Default: false, every point of an edge is held.
+    #[serde(default)]
+    pub(super) slide: Option<bool>,
     /// The supporting plane: `auto`, `none` or a normal `[x, y, z]`. Default: auto.
     #[serde(default)]
     pub(super) plane: Option<PlaneFile>,

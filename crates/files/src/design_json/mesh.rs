@@ -4,22 +4,25 @@ use super::beside::{Kind, file_beside};
 use super::grammar::{AimName, MeshFile, PanelFile, SkinName, TrianglesFile, Triple};
 use super::source::Source;
 use crate::json::json;
-use crate::mesh::{Builder, MeshFormat, groups};
+use crate::mesh::{Builder, MeshFormat, MeshGroup, groups};
 use crate::names::{did_you_mean, shown};
 use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole};
 use crate::units::Units;
 use sheetwright::design::{PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::Aim;
-use sheetwright::math::{from_deg, to_deg};
-use sheetwright::mesh::Skin;
+use sheetwright::math::{Point3, from_deg, to_deg};
+use sheetwright::mesh::{MAX_MESH_COORDINATE_MM, MAX_TRIANGLES, Skin};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 const MESH: Kind = Kind { word: "mesh", files: "a mesh (.obj, .stl, .ply or .glb)" };
 
-/// A group of a mesh file with its name.
-type Group = (String, Arc<Triangles>);
+/// Seams, which all panels of one group share.
+type Seams = Arc<Vec<Vec<Point3>>>;
+
+/// A group of a mesh file: its name, its triangles, its seams.
+type Group = (String, Arc<Triangles>, Seams);
 
 /// The meshes of a design, each read once.
 pub(super) struct Meshes<'a> {
@@ -52,6 +55,7 @@ impl<'a> Meshes<'a> {
                 (".skin", file.skin.is_some()),
                 (".facets", file.facets.is_some()),
                 (".pieces_within", file.pieces_within.is_some()),
+                (".seams", file.seams.is_some()),
             ];
             if let Some((field, _)) = given.into_iter().find(|(_, given)| *given) {
                 let hint = "Add \"mesh\": \"hood.stl\", or leave this field out.";
@@ -60,14 +64,20 @@ impl<'a> Meshes<'a> {
             return Ok(None);
         };
         self.refuse_curves(file, path)?;
-        let triangles = match &mesh {
+        let (triangles, mut seams) = match &mesh {
             MeshFile::Path(name) => self.of_file(name, file.group.as_deref(), path)?,
             MeshFile::Triangles(_) if file.group.is_some() => {
                 let message = "`group` names a group of a mesh file, and there is no file";
                 return Err(self.source.error(&at(".group"), message, "Leave `group` out."));
             }
-            MeshFile::Triangles(given) => Arc::new(self.of_list(given, &at(".mesh"))?),
+            MeshFile::Triangles(given) => {
+                (Arc::new(self.of_list(given, &at(".mesh"))?), Seams::default())
+            }
         };
+        let own = self.seams(file, &at(".seams"))?;
+        if !own.is_empty() {
+            Arc::make_mut(&mut seams).extend(own);
+        }
         let split_creases = file.split_creases_deg.map(|deg| {
             let is_angle = (1.0..180.0).contains(&deg);
             is_angle.then(|| from_deg(deg)).ok_or_else(|| {
@@ -100,8 +110,40 @@ impl<'a> Meshes<'a> {
             }),
             facets: file.facets,
             pieces_within_mm: within.transpose()?,
+            seams,
         };
         Ok(Some(PanelShape::Mesh(self.source.options.mesh.applied(mesh))))
+    }
+
+    /// The seams of a panel, mm.
+    fn seams(&self, file: &PanelFile, path: &str) -> Result<Vec<Vec<Point3>>, InputError> {
+        let given = file.seams.as_deref().unwrap_or_default();
+        let points: usize = given.iter().map(Vec::len).sum();
+        if points > MAX_TRIANGLES {
+            let message = format!("the seams have {points} points");
+            let hint = format!("The limit is {MAX_TRIANGLES}, as that of triangles.");
+            return Err(self.source.error(path, message, hint));
+        }
+        if let Some(n) = given.iter().position(|way| way.len() < 2) {
+            let hint = "Write two points or more: [[0, 0, 0], [0, 0, 50]].";
+            let path = format!("{path}[{n}]");
+            return Err(self.source.error(&path, "the seam has fewer than 2 points", hint));
+        }
+        let unit_mm = self.units.in_mm();
+        let point = |n: usize, k: usize, given: &Triple| {
+            let [x, y, z] = given.0.map(|c| c * unit_mm);
+            // Also where one is no number.
+            let fits = [x, y, z].iter().all(|c| c.abs() <= MAX_MESH_COORDINATE_MM);
+            fits.then_some(Point3::new(x, y, z)).ok_or_else(|| {
+                let message = "a coordinate is not a finite number within ±1e11 mm";
+                let hint = "Check the units and the numbers.";
+                self.source.error(&format!("{path}[{n}][{k}]"), message, hint)
+            })
+        };
+        let way = |(n, way): (usize, &Vec<Triple>)| {
+            way.iter().enumerate().map(|(k, given)| point(n, k, given)).collect()
+        };
+        given.iter().enumerate().map(way).collect()
     }
 
     /// Refuses fields that are for panels whose surface is found.
@@ -116,6 +158,7 @@ impl<'a> Meshes<'a> {
             ("method", file.method.is_some()),
             ("goal", file.goal.is_some()),
             ("run_on", file.run_on.is_some()),
+            ("slide", file.slide.is_some()),
             ("plane", file.plane.is_some()),
             ("fold", file.fold.is_some()),
             ("effort", file.effort.is_some()),
@@ -136,7 +179,7 @@ impl<'a> Meshes<'a> {
         name: &str,
         wanted: Option<&str>,
         path: &str,
-    ) -> Result<Arc<Triangles>, InputError> {
+    ) -> Result<(Arc<Triangles>, Seams), InputError> {
         let at = format!("{path}.mesh");
         let Some(folder) = self.source.folder else {
             let message = "a design from standard input can't take a mesh from a file";
@@ -152,12 +195,13 @@ impl<'a> Meshes<'a> {
         }
         let groups = self.read.get(&file).map_or(&[][..], Vec::as_slice);
         let found = match (wanted, groups) {
-            (Some(wanted), _) => groups.iter().find(|(name, _)| name == wanted),
+            (Some(wanted), _) => groups.iter().find(|(name, ..)| name == wanted),
             (None, [only]) => Some(only),
             (None, _) => None,
         };
-        found.map(|(_, triangles)| triangles.clone()).ok_or_else(|| {
-            let known: Vec<&str> = groups.iter().map(|(name, _)| name.as_str()).collect();
+        let shared = |(_, triangles, seams): &Group| (triangles.clone(), seams.clone());
+        found.map(shared).ok_or_else(|| {
+            let known: Vec<&str> = groups.iter().map(|(name, ..)| name.as_str()).collect();
             let (message, hint) = match wanted {
                 Some(wanted) => (
                     format!("{} has no group {}", shown(name), shown(wanted)),
@@ -189,8 +233,10 @@ impl<'a> Meshes<'a> {
             return Err(self.source.error(at, message, hint));
         }
         self.bytes_left -= size;
-        let groups = groups(format, &bytes, name, self.units)?;
-        Ok(groups.into_iter().map(|(name, triangles)| (name, Arc::new(triangles))).collect())
+        let (groups, _) = groups(format, &bytes, name, self.units)?;
+        let shared =
+            |group: MeshGroup| (group.name, Arc::new(group.triangles), Seams::new(group.seams));
+        Ok(groups.into_iter().map(shared).collect())
     }
 
     /// Triangles that stand in the design itself.
@@ -211,7 +257,7 @@ impl<'a> Meshes<'a> {
         }
         // One group is begun, so `built` returns one, or refuses a mesh without triangles.
         let built = builder.built()?;
-        let triangles = built.into_iter().next().map(|group| group.triangles().1);
+        let triangles = built.groups.into_iter().next().map(|group| group.named().triangles);
         let mut triangles = triangles.unwrap_or_default();
         triangles.left_out += given.left_out;
         Ok(triangles)
@@ -248,6 +294,12 @@ pub(super) fn fields(mesh: &PanelMesh) -> Vec<String> {
     }
     if let Some(size) = mesh.pieces_within_mm {
         fields.push(format!("\"pieces_within\": {}", json(&size)));
+    }
+    if !mesh.seams.is_empty() {
+        let point = |p: &Point3| Triple([p.x, p.y, p.z]);
+        let way = |way: &Vec<Point3>| way.iter().map(point).collect();
+        let seams: Vec<Vec<Triple>> = mesh.seams.iter().map(way).collect();
+        fields.push(format!("\"seams\": {}", json(&seams)));
     }
     fields
 }

@@ -239,7 +239,7 @@ mod tests {
     "rim": { "kind": "bspline", "closed": true, "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]] }
   },
   "panels": [
-    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "fold": 0,
+    { "name": "bottom", "rails": ["keel", "-chine"], "method": "rails", "goal": "worst-warp", "run_on": true, "slide": true, "fold": 0,
       "vary": { "warp_deg": 5.6, "limit": 0.02, "curves": ["keel"], "by": "samples" } },
     { "name": "lid", "boundary": ["-rim"], "holes": [["rim"]], "samples": 50, "plane": [0, 0, 1], "cut": [[0.5, 0, 0]],
       "side": "other", "near": [[0.5, 0.5, 0.1]] }
@@ -338,6 +338,7 @@ mod tests {
         assert_eq!((bottom.method, bottom.fold), (PanelMethod::Rails, 0.0));
         assert_eq!((bottom.goal, lid.goal), (Goal::WorstWarp, Goal::Price));
         assert!(bottom.run_on && !lid.run_on);
+        assert!(bottom.slides && !lid.slides);
         assert_eq!((bottom.samples, lid.samples), (200, 50));
         assert_eq!((bottom.cut.len(), lid.cut[0]), (0, Point3::new(500.0, 0.0, 0.0)));
         assert_eq!((bottom.which, lid.which), (WhichSurface::Cheapest, WhichSurface::Other));
@@ -417,6 +418,7 @@ mod tests {
             effort: Some(20.0),
             method: Some(PanelMethod::Bridge),
             which: Some(WhichSurface::Other),
+            slides: Some(true),
             units: None,
             material: Some("Leather-2mm".to_owned()),
             vary: VarySettings {

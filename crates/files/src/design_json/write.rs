@@ -15,8 +15,8 @@ use sheetwright::design::{
 use sheetwright::triangulate::{Goal, WhichSurface};
 
 /// The bytes of a design's file, in millimetres. They have every default except those of rare
-/// fields (`goal`, `run_on`, `cut`, `vary`, `match_seams`, `preset`, `dxf`, `formats`) and of
-/// `samples`, and read back equal. A tolerance of the design stands in its panels.
+/// fields (`goal`, `run_on`, `slide`, `cut`, `vary`, `match_seams`, `preset`, `dxf`, `formats`) and
+/// of `samples`, and read back equal. A tolerance of the design stands in its panels.
 pub fn write_design(design: &Design) -> Vec<u8> {
     write_with(design, None)
 }
@@ -188,6 +188,9 @@ fn panel(panel: &DesignPanel, vary: Option<String>) -> String {
     }
     if panel.run_on {
         fields.push("\"run_on\": true".to_owned());
+    }
+    if panel.slides {
+        fields.push("\"slide\": true".to_owned());
     }
     fields.push(match panel.plane {
         PlaneChoice::Auto => "\"plane\": \"auto\"".to_owned(),

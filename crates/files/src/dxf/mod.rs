@@ -5,6 +5,7 @@
 //! crate for all of DXF adds dates to the header and 50 crates to the program, and panics on a date
 //! out of range. The tests read the written files with that crate.
 
+mod entity;
 mod pairs;
 mod r12;
 mod r2000;
@@ -16,6 +17,7 @@ use crate::arcs::{Arcs, chords};
 use crate::preset::{DxfRelease, Preset};
 use crate::read_back::{Lines, MAX_BYTES, PatternReadError, ReadLine, ReadPattern, pattern};
 use crate::shapes::{FileLine, Shape, extent, shapes};
+use entity::{Entity, LineType, Tables};
 use sheetwright::pattern::Piece;
 
 /// The DXF file of a piece, of release 12. `docs/outputs.md` specifies it for readers.
@@ -44,10 +46,18 @@ pub fn write_dxf_with(
         Some(arcs) => arcs.fitted(shape, line),
         None => line,
     };
-    let lines = preset.lines(&shapes).map(|(layer, shape, line)| (layer.name, fitted(shape, line)));
+    let lines = preset.lines(&shapes).map(|(layer, shape, line)| Entity {
+        layer: layer.name,
+        line_type: LineType::of(&shape.what),
+        line: fitted(shape, line),
+    });
+    let entities: Vec<Entity> = lines.collect();
+    let is_there = |kind: &&LineType| entities.iter().any(|of| of.line_type == Some(*kind));
+    let types: Vec<&LineType> = LineType::ALL.into_iter().filter(is_there).collect();
+    let tables = Tables { layers: &layers, types: &types };
     match release {
-        DxfRelease::R12 => r12::written(&piece.name, &layers, around, lines),
-        DxfRelease::R2000 => r2000::written(&piece.name, &layers, around, lines),
+        DxfRelease::R12 => r12::written(&piece.name, tables, around, &entities),
+        DxfRelease::R2000 => r2000::written(&piece.name, tables, around, &entities),
     }
 }
 

@@ -40,8 +40,8 @@ impl Pairs {
         }
     }
 
-    /// A line of release 12.
-    pub(crate) fn line(&mut self, layer: &str, line: &FileLine) {
+    /// A line of release 12, of this line type or of that of its layer.
+    pub(crate) fn line(&mut self, layer: &str, line_type: Option<&str>, line: &FileLine) {
         if let (Form::Circle { radius_mm }, Some(&centre)) = (line.form, line.points.first()) {
             self.put(0, "CIRCLE");
             self.put(8, layer);
@@ -51,6 +51,9 @@ impl Pairs {
         }
         self.put(0, "POLYLINE");
         self.put(8, layer);
+        if let Some(line_type) = line_type {
+            self.put(6, line_type);
+        }
         self.put(66, 1);
         self.place(Point2::default());
         self.put(70, u8::from(line.form == Form::Closed));

@@ -1,16 +1,15 @@
 //! DXF of release 12.
 
+use super::entity::{Entity, Tables};
 use super::pairs::{Pairs, ascii};
-use crate::preset::Layer;
-use crate::shapes::FileLine;
 use sheetwright::predicate::Box2;
 
 /// The file of a piece of this name: lines on layers, within a box.
-pub(super) fn written<'a>(
+pub(super) fn written(
     name: &str,
-    layers: &[&Layer],
+    declared: Tables<'_>,
     around: Box2,
-    lines: impl Iterator<Item = (&'a str, FileLine)>,
+    entities: &[Entity],
 ) -> Vec<u8> {
     let mut pairs = Pairs::default();
     pairs.put(999, format_args!("Flat pattern of {}, by Sheetwright. Units: mm.", ascii(name)));
@@ -21,14 +20,16 @@ pub(super) fn written<'a>(
             pairs.place(corner);
         }
     });
-    pairs.section("TABLES", |pairs| tables(pairs, layers));
+    pairs.section("TABLES", |pairs| tables(pairs, declared));
     pairs.section("BLOCKS", |_| {});
-    pairs.section("ENTITIES", |pairs| lines.for_each(|(layer, line)| pairs.line(layer, &line)));
+    pairs.section("ENTITIES", |pairs| {
+        entities.iter().for_each(|of| pairs.line(of.layer, of.type_name(), &of.line));
+    });
     pairs.into_bytes()
 }
 
-fn tables(pairs: &mut Pairs, layers: &[&Layer]) {
-    table(pairs, "LTYPE", 1, |pairs| {
+fn tables(pairs: &mut Pairs, Tables { layers, types }: Tables<'_>) {
+    table(pairs, "LTYPE", 1 + types.len(), |pairs| {
         pairs.put(0, "LTYPE");
         pairs.put(2, "CONTINUOUS");
         pairs.put(70, 0);
@@ -36,6 +37,13 @@ fn tables(pairs: &mut Pairs, layers: &[&Layer]) {
         pairs.put(72, 65);
         pairs.put(73, 0);
         pairs.put(40, "0.0");
+        for line_type in types {
+            pairs.put(0, "LTYPE");
+            pairs.put(2, line_type.name);
+            pairs.put(70, 0);
+            pairs.put(3, line_type.about);
+            line_type.put_pattern(pairs, false);
+        }
     });
     table(pairs, "LAYER", 1 + layers.len(), |pairs| {
         let layer_0 = ("0", 7);

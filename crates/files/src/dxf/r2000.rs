@@ -1,9 +1,9 @@
 //! DXF of release 2000: lightweight polylines, the unit in the header, and the tables, blocks and
 //! dictionaries without which AutoCAD refuses a file of any release after 12.
 
+use super::entity::{Entity, Tables};
 use super::pairs::{Pairs, ascii, real};
-use crate::preset::Layer;
-use crate::shapes::{FileLine, Form};
+use crate::shapes::Form;
 use sheetwright::predicate::Box2;
 
 /// The handles that other records refer to.
@@ -56,20 +56,16 @@ impl Handled {
 }
 
 /// The file of a piece of this name: lines on layers, within a box.
-pub(super) fn written<'a>(
+pub(super) fn written(
     name: &str,
-    layers: &[&Layer],
+    declared: Tables<'_>,
     around: Box2,
-    lines: impl Iterator<Item = (&'a str, FileLine)>,
+    entities: &[Entity],
 ) -> Vec<u8> {
     let mut body = Handled { pairs: Pairs::default(), next: FIRST_FREE };
-    tables(&mut body, layers);
+    tables(&mut body, declared);
     blocks(&mut body.pairs);
-    section(&mut body, "ENTITIES", |body| {
-        for (layer, line) in lines {
-            entity(body, layer, &line);
-        }
-    });
+    section(&mut body, "ENTITIES", |body| entities.iter().for_each(|of| entity(body, of)));
     section(&mut body, "OBJECTS", |body| dictionaries(&mut body.pairs));
     let seed = format!("{:X}", body.next);
 
@@ -99,10 +95,10 @@ fn section(body: &mut Handled, name: &str, fill: impl FnOnce(&mut Handled)) {
     body.pairs.put(0, "ENDSEC");
 }
 
-fn tables(body: &mut Handled, layers: &[&Layer]) {
+fn tables(body: &mut Handled, Tables { layers, types }: Tables<'_>) {
     section(body, "TABLES", |body| {
         body.table("VPORT", "1", 0, |_| {});
-        body.table("LTYPE", "2", 3, |body| {
+        body.table("LTYPE", "2", 3 + types.len(), |body| {
             for (name, handle) in [("ByBlock", "15"), ("ByLayer", "16"), ("Continuous", "17")] {
                 body.record("LTYPE", handle, "2", "AcDbLinetypeTableRecord", name);
                 let pairs = &mut body.pairs;
@@ -111,6 +107,13 @@ fn tables(body: &mut Handled, layers: &[&Layer]) {
                 pairs.put(72, 65);
                 pairs.put(73, 0);
                 pairs.put(40, "0.0");
+            }
+            for line_type in types {
+                let handle = body.handle();
+                body.record("LTYPE", &handle, "2", "AcDbLinetypeTableRecord", line_type.name);
+                body.pairs.put(70, 0);
+                body.pairs.put(3, line_type.about);
+                line_type.put_pattern(&mut body.pairs, true);
             }
         });
         body.table("LAYER", "3", 1 + layers.len(), |body| {
@@ -196,7 +199,8 @@ fn blocks(pairs: &mut Pairs) {
     });
 }
 
-fn entity(body: &mut Handled, layer: &str, line: &FileLine) {
+fn entity(body: &mut Handled, of: &Entity) {
+    let Entity { layer, line, .. } = of;
     let handle = body.handle();
     let pairs = &mut body.pairs;
     let is_circle = matches!(line.form, Form::Circle { .. });
@@ -205,6 +209,9 @@ fn entity(body: &mut Handled, layer: &str, line: &FileLine) {
     pairs.put(330, MODEL_SPACE);
     pairs.put(100, "AcDbEntity");
     pairs.put(8, layer);
+    if let Some(line_type) = of.type_name() {
+        pairs.put(6, line_type);
+    }
     if let (Form::Circle { radius_mm }, Some(&centre)) = (line.form, line.points.first()) {
         pairs.put(100, "AcDbCircle");
         pairs.place(centre);

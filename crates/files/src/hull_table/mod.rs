@@ -11,15 +11,19 @@
 //! one, `lines` makes curves in space of them, and `design` draws the planks between the edges as
 //! the template `hull` does. What is not understood is refused with its place and with what was
 //! recognised (`said`). docs/offset-tables.md is the page for people.
+//!
+//! Files that have points in space in place of tables go past all that: `freeship ──► sections`.
 
 mod bare;
 mod design;
+mod freeship;
 mod grid;
 mod label;
 mod layout;
 mod lines;
 mod notation;
 mod said;
+mod sections;
 mod workbook;
 
 pub(crate) use bare::GivenUnits;
@@ -37,14 +41,16 @@ use std::path::Path;
 /// Rows at the beginning of a text that are looked at for words of a table of offsets.
 const LOOKED_AT: usize = 40;
 
-/// Whether a text is a table of offsets, by its words.
+/// Whether a text is a table of offsets, by its words, or has the curves of a hull.
 pub(crate) fn is_hull_table(text: &str) -> bool {
     let is_word = |cell: &str| {
         let cell = cell.trim_matches([' ', '"']);
         is_station_word(cell) || is_line(cell)
     };
     let rows = text.lines().filter(|row| !row.trim().is_empty()).take(LOOKED_AT);
-    !is_curve_table(text) && rows.into_iter().any(|row| row.split([',', ';', '\t']).any(is_word))
+    !is_curve_table(text)
+        && (freeship::is_freeship(text)
+            || rows.into_iter().any(|row| row.split([',', ';', '\t']).any(is_word)))
 }
 
 /// Whether a file of this name is a workbook.
@@ -66,6 +72,14 @@ pub(crate) fn read_hull_table(
     units: GivenUnits,
 ) -> Result<HullTable, InputError> {
     let place = display_name(name);
+    let text = if is_workbook { "" } else { text_of(bytes, name)? };
+    if freeship::is_freeship(text) {
+        if second.is_some() {
+            let message = "the file has whole points, and no second table goes with it";
+            return Err(InputError::at(place, message, "Leave the second table out."));
+        }
+        return named_well(freeship::read(text, place, units)?, place);
+    }
     let mut grids = grids_in(bytes, name, is_workbook)?;
     if let Some(SecondTable { name: second, bytes }) = second {
         // A file with one table has the quantity that its name says.
@@ -82,6 +96,11 @@ pub(crate) fn read_hull_table(
         _ => place,
     };
     let table = lines::lines(&layout, units).map_err(|refusal| refusal.error(&layout, source))?;
+    named_well(table, source)
+}
+
+/// The table, if all its lines have names that curves may have.
+fn named_well(table: HullTable, source: &str) -> Result<HullTable, InputError> {
     for line in &table.lines {
         if let Some(why) = refused_for_curve(&line.name) {
             let message = format!("the name of the line {} {why}", crate::names::shown(&line.name));
@@ -122,14 +141,16 @@ pub fn hull_table_notes(bytes: &[u8], name: &str, options: &ReadOptions) -> Vec<
     };
     let names: Vec<String> = table.lines.iter().map(|line| line.name.clone()).collect();
     let place = |at: Option<&(String, f64)>| at.map_or(0.0, |(_, at)| *at);
-    let first = format!(
-        "a table of offsets with {} stations from {:.0} to {:.0} mm and {} lines: {}",
-        table.stations.len(),
-        place(table.stations.first()),
-        place(table.stations.last()),
-        names.len(),
-        names.join(", ")
-    );
+    let at_stations = match table.stations.len() {
+        0 => String::new(),
+        count => format!(
+            "{count} stations from {:.0} to {:.0} mm and ",
+            place(table.stations.first()),
+            place(table.stations.last()),
+        ),
+    };
+    let first =
+        format!("a table of offsets with {at_stations}{} lines: {}", names.len(), names.join(", "));
     let edges = table.lines.iter().filter(|line| line.is_edge).count();
     let round = (edges < 2).then(|| {
         "waterlines and buttocks alone bound no planks: name two of the curves as the `rails` of a \
@@ -178,8 +199,8 @@ fn refuse_delftship(text: &str, place: &str) -> Result<(), InputError> {
          planks",
         firsts[0], firsts[1]
     );
-    let hint = "Export the chines and the sheer as 3D curves or the hull as a mesh (.obj, .stl), or \
-                type the offsets of its edges into a table.";
+    let hint = "Export the stations as text with their knuckles, the chines and the sheer as 3D \
+                curves (.dxf), or the hull as a mesh (.obj, .stl).";
     Err(InputError::at(place, message, hint))
 }
 

@@ -82,9 +82,11 @@ pub(crate) fn way_round(ending: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
-/// What is to be said of lines in a file of a mesh, which are not used.
-pub(crate) fn lines_beside(format: MeshFormat, bytes: &[u8]) -> Vec<ReadNote> {
+/// What is to be said of the lines in a file of a mesh that are not used, or in part alone, if so
+/// many are seams all the way.
+pub(crate) fn lines_beside(format: MeshFormat, bytes: &[u8], seams: usize) -> Vec<ReadNote> {
     let count = if format == MeshFormat::Obj { obj::lines_beside(bytes) } else { 0 };
+    let count = count.saturating_sub(seams);
     let (what, names, at) = (Unused::Lines, Vec::new(), None);
     let note = ReadNote::NotUsed { what, count, names, at };
     if count > 0 { vec![note] } else { Vec::new() }

@@ -6,7 +6,7 @@ use crate::names::made_for_files;
 use crate::reading::InputError;
 use sheetwright::math::Point3;
 use sheetwright::mesh::{MAX_MESH_COORDINATE_MM, MAX_TRIANGLES};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The name of a group whose own name can't be the name of a file.
 const UNNAMED: &str = "mesh";
@@ -22,6 +22,8 @@ pub(crate) struct Built {
     pub(crate) positions: Vec<Point3>,
     /// Each by the indices of its corners in `positions`.
     pub(crate) triangles: Vec<[usize; 3]>,
+    /// Lines of the file along sides of its triangles, each by indices in `positions`.
+    pub(crate) seams: Vec<Vec<usize>>,
     /// The number of its triangles that are left out because two corners coincide.
     pub(crate) left_out: usize,
 }
@@ -43,6 +45,13 @@ impl Group {
     }
 }
 
+/// The finished groups of a file.
+pub(crate) struct AllBuilt {
+    pub(crate) groups: Vec<Built>,
+    /// How many lines of the file run along sides of triangles all the way.
+    pub(crate) seam_lines: usize,
+}
+
 /// Gathers points and polygons, in the order of the file.
 pub(crate) struct Builder {
     place: String,
@@ -50,6 +59,10 @@ pub(crate) struct Builder {
     unit_mm: f64,
     points: Vec<Point3>,
     groups: Vec<Group>,
+    /// Lines by the indices of their points.
+    lines: Vec<Vec<usize>>,
+    /// The number of points of all lines.
+    line_points: usize,
     /// The indices of the groups, by their names in the file.
     known: BTreeMap<String, usize>,
     triangles: usize,
@@ -66,6 +79,8 @@ impl Builder {
             unit_mm,
             points: Vec::new(),
             groups: vec![Group::default()],
+            lines: Vec::new(),
+            line_points: 0,
             known: BTreeMap::new(),
             triangles: 0,
             at: 0,
@@ -177,18 +192,33 @@ impl Builder {
         Ok(())
     }
 
+    /// Adds a line by the indices of its points, which must exist once all points are added.
+    pub(crate) fn line(
+        &mut self,
+        points: Vec<usize>,
+        where_from: impl Fn() -> String,
+    ) -> Result<(), InputError> {
+        self.line_points += points.len();
+        // As many points as all triangles have corners.
+        if self.line_points > 3 * MAX_TRIANGLES {
+            return Err(too_many(where_from()));
+        }
+        self.lines.push(points);
+        Ok(())
+    }
+
     /// The groups that have triangles, each with the points that its triangles use. The first group
     /// also counts the triangles left out of groups that end up empty.
-    pub(crate) fn built(mut self) -> Result<Vec<Built>, InputError> {
+    pub(crate) fn built(mut self) -> Result<AllBuilt, InputError> {
         // In a file whose triangles share no point, equal coordinates must mean one point.
         let mut used = vec![false; self.points.len()];
         let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());
         let shared = corners.into_iter().any(|&corner| std::mem::replace(&mut used[corner], true));
         if self.welded || !shared {
-            weld(&self.points, &mut self.groups);
+            weld(&self.points, &mut self.groups, &mut self.lines);
         }
         // Only after welding is it known which triangles have coinciding corners.
-        let Self { place, points, mut groups, stem, .. } = self;
+        let Self { place, points, mut groups, lines, stem, .. } = self;
         groups.iter_mut().for_each(Group::leave_out);
         let (mut kept, lost): (Vec<Group>, Vec<Group>) =
             groups.into_iter().partition(|group| !group.triangles.is_empty());
@@ -197,31 +227,39 @@ impl Builder {
         };
         first.left_out += lost.iter().map(|group| group.left_out).sum::<usize>();
         let several = kept.len() > 1;
-        Ok(kept.into_iter().map(|group| built(&points, group, &stem, several)).collect())
+        let lines = Lines::of(&lines);
+        let mut on_sides = BTreeSet::new();
+        let built = |group: Group| {
+            let seams = lines.along(&group.triangles, &mut on_sides);
+            built(&points, group, &seams, &stem, several)
+        };
+        let groups = kept.into_iter().map(built).collect();
+        let seam_lines = lines.all_on(&on_sides);
+        Ok(AllBuilt { groups, seam_lines })
     }
 }
 
 /// Replaces each corner by the first point with equal coordinates.
-fn weld(points: &[Point3], groups: &mut [Group]) {
+fn weld(points: &[Point3], groups: &mut [Group], lines: &mut [Vec<usize>]) {
     let mut first: BTreeMap<[u64; 3], usize> = BTreeMap::new();
     let of: Vec<usize> = points
         .iter()
         .enumerate()
         .map(|(n, p)| *first.entry([p.x, p.y, p.z].map(f64::to_bits)).or_insert(n))
         .collect();
-    for group in groups {
-        for corner in group.triangles.iter_mut().flatten() {
-            *corner = of[*corner];
-        }
+    let corners = groups.iter_mut().flat_map(|group| group.triangles.iter_mut().flatten());
+    for corner in corners.chain(lines.iter_mut().flatten()) {
+        *corner = of[*corner];
     }
 }
 
-fn built(points: &[Point3], group: Group, stem: &str, several: bool) -> Built {
+fn built(points: &[Point3], group: Group, seams: &[&[usize]], stem: &str, several: bool) -> Built {
     let mut used: Vec<usize> = group.triangles.iter().flatten().copied().collect();
     used.sort_unstable();
     used.dedup();
     let number = |corner: usize| used.partition_point(|&other| other < corner);
     let triangles = group.triangles.iter().map(|t| t.map(number)).collect();
+    let seams = seams.iter().map(|run| run.iter().copied().map(number).collect()).collect();
     let named = [group.name.as_str(), if several { "" } else { stem }, stem, UNNAMED];
     let name = named
         .into_iter()
@@ -229,5 +267,58 @@ fn built(points: &[Point3], group: Group, stem: &str, several: bool) -> Built {
         .find(|name| !name.is_empty())
         .unwrap_or_else(|| UNNAMED.to_owned());
     let positions = used.iter().map(|&n| points[n]).collect();
-    Built { name, positions, triangles, left_out: group.left_out }
+    Built { name, positions, triangles, seams, left_out: group.left_out }
+}
+
+/// The lines of a file, and the first step of them between every two points: its line, and its
+/// number in that.
+struct Lines<'a> {
+    lines: &'a [Vec<usize>],
+    first: BTreeMap<[usize; 2], (usize, usize)>,
+}
+
+impl<'a> Lines<'a> {
+    fn of(lines: &'a [Vec<usize>]) -> Self {
+        let mut first = BTreeMap::new();
+        for (n, line) in lines.iter().enumerate() {
+            for (step, ends) in line.windows(2).enumerate() {
+                first.entry(side(ends[0], ends[1])).or_insert((n, step));
+            }
+        }
+        Self { lines, first }
+    }
+
+    /// The runs of lines along sides of triangles, whose steps are noted. Other steps, as between
+    /// loose points, are no seams.
+    fn along(
+        &self,
+        triangles: &[[usize; 3]],
+        noted: &mut BTreeSet<(usize, usize)>,
+    ) -> Vec<&'a [usize]> {
+        if self.first.is_empty() {
+            return Vec::new();
+        }
+        let sides = triangles.iter().flat_map(|&[a, b, c]| [side(a, b), side(b, c), side(c, a)]);
+        let mut steps: Vec<(usize, usize)> =
+            sides.filter_map(|side| self.first.get(&side).copied()).collect();
+        steps.sort_unstable();
+        steps.dedup();
+        noted.extend(&steps);
+        let runs = steps.chunk_by(|a, b| a.0 == b.0 && a.1 + 1 == b.1);
+        runs.map(|run| &self.lines[run[0].0][run[0].1..run[0].1 + run.len() + 1]).collect()
+    }
+
+    /// How many lines run along sides all the way, of which `noted` has the first steps.
+    fn all_on(&self, noted: &BTreeSet<(usize, usize)>) -> usize {
+        let is_on = |ends: &[usize]| {
+            let first = self.first.get(&side(ends[0], ends[1]));
+            first.is_some_and(|step| noted.contains(step))
+        };
+        let all_on = |line: &&Vec<usize>| line.len() > 1 && line.windows(2).all(is_on);
+        self.lines.iter().filter(all_on).count()
+    }
+}
+
+fn side(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
 }

@@ -23,12 +23,14 @@ use crate::names::OwnNames;
 use crate::reading::{InputError, ReadOptions, display_name, stem, without_utf16};
 use crate::units::Units;
 pub(crate) use build::Builder;
-use build::Built;
+use build::{AllBuilt, Built};
 pub use said::units_said;
 use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::flatten::Aim;
 use sheetwright::index::VertexIndex;
+use sheetwright::math::Point3;
 use sheetwright::mesh::MAX_TRIANGLES;
+use std::sync::Arc;
 
 /// Formats of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,8 +81,8 @@ pub(crate) const fn aim_name(aim: Aim) -> &'static str {
 /// The number of samples of a panel that is a mesh, where it has no meaning.
 pub(crate) const NO_SAMPLES: usize = 0;
 
-/// The mesh in some bytes as a design: one panel per group, no material. `name` is the name of
-/// their file, or `-`.
+/// The mesh in some bytes as a design: one panel per group, no material; and how many lines of the
+/// file are seams all the way. `name` is the name of their file, or `-`.
 ///
 /// # Errors
 /// Bytes that are no mesh of this format, or a mesh above the limits.
@@ -89,18 +91,30 @@ pub(crate) fn read(
     bytes: &[u8],
     name: &str,
     options: &ReadOptions,
-) -> Result<Design, InputError> {
+) -> Result<(Design, usize), InputError> {
     let units = options.units.or_else(|| units_said(bytes)).unwrap_or_default();
-    let groups = groups(format, bytes, name, units)?;
-    let panel = |(name, triangles): (String, Triangles)| {
-        let mesh = options.mesh.applied(PanelMesh::new(triangles));
+    let (groups, seam_lines) = groups(format, bytes, name, units)?;
+    let panel = |MeshGroup { name, triangles, seams }: MeshGroup| {
+        let mesh = PanelMesh { seams: Arc::new(seams), ..PanelMesh::new(triangles) };
+        let mesh = options.mesh.applied(mesh);
         DesignPanel::new(name, PanelShape::Mesh(mesh), NO_SAMPLES)
     };
     let panels = groups.into_iter().map(panel).collect();
-    Ok(Design { name: stem(name), panels, ..Design::default() })
+    let design = Design { name: stem(name), panels, ..Design::default() };
+    Ok((design, seam_lines))
 }
 
-/// The groups of a mesh in some bytes, each with a name of its own.
+/// A group of a mesh file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MeshGroup {
+    pub(crate) name: String,
+    pub(crate) triangles: Triangles,
+    /// Ways along sides of its triangles, mm, that are to be cut.
+    pub(crate) seams: Vec<Vec<Point3>>,
+}
+
+/// The groups of a mesh in some bytes, each with a name of its own; and how many lines of the file
+/// are seams all the way.
 ///
 /// # Errors
 /// Bytes that are no mesh of this format, or a mesh above the limits.
@@ -109,7 +123,7 @@ pub(crate) fn groups(
     bytes: &[u8],
     name: &str,
     units: Units,
-) -> Result<Vec<(String, Triangles)>, InputError> {
+) -> Result<(Vec<MeshGroup>, usize), InputError> {
     let place = display_name(name);
     let mut builder = Builder::new(place, &stem(name), units.in_mm());
     // Of a binary file, no header begins with the mark of UTF-16.
@@ -122,18 +136,22 @@ pub(crate) fn groups(
     }
     let mut taken = OwnNames::default();
     let group = |group: Built| {
-        let (name, triangles) = group.triangles();
-        (taken.take(&name, ' '), triangles)
+        let group = group.named();
+        MeshGroup { name: taken.take(&group.name, ' '), ..group }
     };
-    Ok(builder.built()?.into_iter().map(group).collect())
+    let AllBuilt { groups, seam_lines } = builder.built()?;
+    Ok((groups.into_iter().map(group).collect(), seam_lines))
 }
 
 impl Built {
-    /// Its name and its triangles.
-    pub(crate) fn triangles(self) -> (String, Triangles) {
-        let Self { name, positions, triangles, left_out } = self;
+    /// Its name, its triangles and its seams.
+    pub(crate) fn named(self) -> MeshGroup {
+        let Self { name, positions, triangles, seams, left_out } = self;
         let triangles = triangles.into_iter().map(|t| t.map(VertexIndex::new)).collect();
-        (name, Triangles { positions, triangles, left_out })
+        let way = |run: Vec<usize>| run.into_iter().map(|n| positions[n]).collect();
+        let seams = seams.into_iter().map(way).collect();
+        let triangles = Triangles { positions, triangles, left_out };
+        MeshGroup { name, triangles, seams }
     }
 }
 

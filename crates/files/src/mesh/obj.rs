@@ -1,24 +1,26 @@
-//! Wavefront OBJ: `v` and `f`, in groups by `o` and `g`. Everything else is passed over; a name is
-//! kept once a face follows.
+//! Wavefront OBJ: `v` and `f`, in groups by `o` and `g`, and lines `l`, which are seams where they
+//! run along sides of faces. Everything else is passed over; a name is kept once a face follows.
 
 use super::build::Builder;
 use super::scan::{coordinates, lines, quoted, words};
 use crate::reading::InputError;
 use std::borrow::Cow;
 
-/// Reads the groups. A face may name later points, so faces are resolved last.
+/// Reads the groups. A face may name later points, so faces are resolved last, and lines checked.
 pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(), InputError> {
     // The byte order mark that some editors write.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut faces: Vec<Face> = Vec::new();
+    // Lines that name later points: the number of each, and the last of its points.
+    let mut ahead: Vec<(usize, usize)> = Vec::new();
     let mut corners: Vec<usize> = Vec::new();
     let mut names: Vec<String> = vec![String::new()];
     let mut next_name: Option<String> = None;
     let mut object = String::new();
     let mut points = 0;
-    for (number, line) in whole_lines(bytes) {
+    for (number, text) in whole_lines(bytes) {
         let at = || format!("{place}:{number}");
-        let mut words = words(&line);
+        let mut words = words(&text);
         match words.next() {
             Some(b"v") => {
                 builder.point(coordinates(words, at)?, at)?;
@@ -40,6 +42,19 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
                 names.extend(next_name.take());
                 faces.push(Face { line: number, group: names.len() - 1, count });
             }
+            Some(b"l") => {
+                let words = words.take_while(|word| !word.starts_with(b"#"));
+                let line =
+                    words.map(|word| corner(word, points).ok_or_else(|| no_corner(word, &at())));
+                let line = line.collect::<Result<Vec<usize>, _>>()?;
+                ahead.extend(
+                    line.iter().max().filter(|last| **last >= points).map(|&n| (number, n)),
+                );
+                // One point alone is no line.
+                if line.len() > 1 {
+                    builder.line(line, at)?;
+                }
+            }
             Some(keyword @ (b"o" | b"g")) => {
                 let name = words.map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ");
                 let group = if keyword == b"g" { name.as_str() } else { "" };
@@ -60,14 +75,26 @@ pub(super) fn read(bytes: &[u8], place: &str, builder: &mut Builder) -> Result<(
             last = face.group;
         }
         let ring: Vec<usize> = corners.by_ref().take(face.count).collect();
-        if let Some(beyond) = ring.iter().find(|&&corner| corner >= points) {
-            let message = format!("the face names point {}; the file has {points}", beyond + 1);
-            let hint = "Points are counted from 1 through the whole file; export it again.";
-            return Err(InputError::at(at(), message, hint));
-        }
+        refuse_beyond("face", &ring, points, at)?;
         builder.polygon(&ring, at)?;
     }
+    for (number, last) in ahead {
+        refuse_beyond("line", &[last], points, || format!("{place}:{number}"))?;
+    }
     Ok(())
+}
+
+/// Refuses points that the file does not have.
+fn refuse_beyond(
+    what: &str,
+    given: &[usize],
+    points: usize,
+    at: impl Fn() -> String,
+) -> Result<(), InputError> {
+    let Some(beyond) = given.iter().find(|&&point| point >= points) else { return Ok(()) };
+    let message = format!("the {what} names point {}; the file has {points}", beyond + 1);
+    let hint = "Points are counted from 1 through the whole file; export it again.";
+    Err(InputError::at(at(), message, hint))
 }
 
 /// A face of the file; one common list holds the corners of all faces.

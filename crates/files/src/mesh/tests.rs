@@ -11,7 +11,7 @@ struct Groups {
 #[derive(Debug, PartialEq)]
 struct Group {
     name: String,
-    positions: Vec<sheetwright::math::Point3>,
+    positions: Vec<Point3>,
     triangles: Vec<[VertexIndex; 3]>,
     left_out: usize,
 }
@@ -28,7 +28,7 @@ fn groups_of(design: Design) -> Groups {
 
 fn read_mesh(format: MeshFormat, bytes: &[u8]) -> Result<Groups, InputError> {
     let name = format!("some/shape.{}", format.ending());
-    read(format, bytes, &name, &ReadOptions::default()).map(groups_of)
+    read(format, bytes, &name, &ReadOptions::default()).map(|(design, _)| groups_of(design))
 }
 
 fn obj(text: &str) -> Result<Groups, InputError> {
@@ -68,9 +68,10 @@ fn groups_of_obj_are_panels_with_the_points_that_they_use() {
 fn a_file_without_groups_is_called_after_itself_and_units_count() {
     let options = ReadOptions { units: Some(Units::Inches), ..ReadOptions::default() };
     let text = format!("{SQUARE}f 1 2 3 4\n");
-    let design = groups_of(read(MeshFormat::Obj, text.as_bytes(), "a/hood.OBJ", &options).unwrap());
+    let design =
+        groups_of(read(MeshFormat::Obj, text.as_bytes(), "a/hood.OBJ", &options).unwrap().0);
     assert_eq!(sizes(&design), [("hood", 4, 2)]);
-    assert_eq!(design.groups[0].positions[2], sheetwright::math::Point3::new(50.8, 25.4, 0.0));
+    assert_eq!(design.groups[0].positions[2], Point3::new(50.8, 25.4, 0.0));
 }
 
 #[test]
@@ -400,4 +401,57 @@ fn a_file_in_which_no_corner_is_shared_is_welded() {
     // A file that shares some points by number has no other shared points.
     let cut = format!("{soup}v 4 0 0\nf 2 7 3\n");
     assert_eq!(sizes(&obj(&cut).unwrap()), [("shape", 7, 3)]);
+}
+
+#[test]
+fn lines_of_obj_along_sides_are_seams() {
+    // Two triangles; a step of the second line, and the third line, are no sides.
+    let text =
+        format!("{SQUARE}v 9 9 9\nf 1 2 3\nf 1 3 4\nl 1 3 # the diagonal\nl 4/1 1/2 2 4\nl 5 1\n");
+    let seams = |text: &str| {
+        let options = ReadOptions::default();
+        let (design, _) = read(MeshFormat::Obj, text.as_bytes(), "a.obj", &options).unwrap();
+        let PanelShape::Mesh(mesh) = &design.panels[0].shape else { panic!() };
+        mesh.seams
+            .iter()
+            .map(|way| way.iter().map(|p| [p.x, p.y]).collect())
+            .collect::<Vec<Vec<_>>>()
+    };
+    let way = [[0.0, 1.0], [0.0, 0.0], [2.0, 0.0]];
+    assert_eq!(seams(&text), [vec![[0.0, 0.0], [2.0, 1.0]], way.to_vec()]);
+    let (_, lines) =
+        read(MeshFormat::Obj, text.as_bytes(), "a.obj", &ReadOptions::default()).unwrap();
+    // The second is used in part alone.
+    assert_eq!(lines, 1);
+    // Triangles with corners of their own are welded, and the lines with them.
+    let apart = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\nl 4 3\n";
+    assert_eq!(seams(apart), [vec![[0.0, 0.0], [2.0, 1.0]]]);
+    let error = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 7\n").unwrap_err();
+    assert_eq!(error.message, "the line names point 7; the file has 3");
+}
+
+#[test]
+fn lines_of_obj_are_seams_once_and_of_the_groups_that_they_run_along() {
+    // A line along two groups, twice: each group has its run, and both lines are used.
+    let text = format!(
+        "{SQUARE}v 4 0 0\nv 4 1 0\ng a\nf 1 2 3 4\ng b\nf 2 5 6 3\nl 4 1 2 5\nl 1 2\nl 3 3\nl 1\n"
+    );
+    let (design, lines) =
+        read(MeshFormat::Obj, text.as_bytes(), "a.obj", &ReadOptions::default()).unwrap();
+    let seams = |n: usize| {
+        let PanelShape::Mesh(mesh) = &design.panels[n].shape else { panic!() };
+        mesh.seams.iter().map(|way| way.iter().map(|p| p.x).collect()).collect::<Vec<Vec<_>>>()
+    };
+    assert_eq!((seams(0), seams(1)), (vec![vec![0.0, 0.0, 2.0]], vec![vec![2.0, 4.0]]));
+    assert_eq!(lines, 2);
+}
+
+#[test]
+fn lines_with_too_many_points_are_refused() {
+    let line = format!("l{}\n", " 1 2".repeat(3 * MAX_TRIANGLES / 2));
+    let text = |more: &str| format!("{SQUARE}f 1 2 3\n{line}{more}");
+    assert_eq!(sizes(&obj(&text("")).unwrap()), [("shape", 3, 1)]);
+    let error = obj(&text("l 2 3\n")).unwrap_err();
+    assert_eq!(error.place.as_deref(), Some("some/shape.obj:7"));
+    assert!(error.message.starts_with("the mesh has more than"), "{}", error.message);
 }

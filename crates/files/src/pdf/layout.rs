@@ -93,7 +93,7 @@ impl<'a> Layout<'a> {
                 }
                 Err(sheets) => {
                     let scale = offsets::scale(piece, self.paper);
-                    let file_full = sheets <= max_sheets.get();
+                    let file_full = sheets <= max_sheets.get() as u64;
                     Plan::Reduced(Reduced { panel, sheets, scale, file_full })
                 }
             }

@@ -92,7 +92,7 @@ pub struct Reduced {
     pub panel: usize,
     /// An upper bound on the sheets that it takes at 1:1: those that cover its bounding rectangle.
     /// With this limit it is tiled, unless the file is full.
-    pub sheets: usize,
+    pub sheets: u64,
     /// The denominator of the scale, such as 400 for 1:400.
     pub scale: f64,
     /// Whether it is within the limit of sheets of a piece, but the panels before it leave too few
@@ -111,13 +111,13 @@ impl Reduced {
 
 /// How to print a panel of this number of sheets true to scale, in a sentence; `is_full` if the
 /// panels before it leave too few sheets. `None` for more sheets than a PDF may have.
-pub(crate) fn way_to_sheets(sheets: usize, is_full: bool) -> Option<String> {
+pub(crate) fn way_to_sheets(sheets: u64, is_full: bool) -> Option<String> {
     let way = if is_full {
         "To print it true to scale, make it in a design of its own.".to_owned()
     } else {
         format!("To print it true to scale, allow {sheets} sheets.")
     };
-    (sheets <= MaxSheets::MOST.get()).then_some(way)
+    (sheets <= MaxSheets::MOST.get() as u64).then_some(way)
 }
 
 /// The PDF of all pieces of a design. `docs/outputs.md` specifies it for readers.

@@ -129,7 +129,7 @@ impl Paper {
     }
 
     /// Its name on printed sheets.
-    pub(super) fn title(self) -> String {
+    pub(crate) fn title(self) -> String {
         let name = match self {
             Self::A4 => "A4",
             Self::A3 => "A3",

@@ -57,7 +57,7 @@ impl PaperSheet {
 ///
 /// # Errors
 /// An upper bound on the number of sheets, if they are more than `most`.
-pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, usize> {
+pub(super) fn tiling(piece: &Piece, paper: Paper, most: usize) -> Result<Tiling, u64> {
     let cut = cut_around(piece);
     let alone = best(piece, cut, &[], paper, most);
     let drawn = drawn_around(piece);
@@ -80,7 +80,7 @@ fn best(
     lines: &[Vec<Point2>],
     paper: Paper,
     most: usize,
-) -> Result<Tiling, usize> {
+) -> Result<Tiling, u64> {
     let on_pages = |sides| on_pages(piece, around, lines, sides, most);
     let [first, second] = paper.pages().map(on_pages);
     let cost = |tiling: &Tiling| {
@@ -100,10 +100,11 @@ fn on_pages(
     lines: &[Vec<Point2>],
     sides: PageSides,
     most: usize,
-) -> Result<Tiling, usize> {
+) -> Result<Tiling, u64> {
     let need = around.max - around.min + Vec2::splat(2.0 * AIR_MM - OVERLAP_MM);
-    // The conversion saturates, so that no size overflows.
-    let count = |need: f64, step: f64| (need / step).ceil().max(1.0) as usize;
+    // The conversion saturates, so that no size overflows: at 64 bits on every machine, since the
+    // number is told where it is too large.
+    let count = |need: f64, step: f64| (need / step).ceil().max(1.0) as u64;
     let step = window(sides.largest()) - Vec2::splat(OVERLAP_MM);
     let (columns, rows) = (count(need.x, step.x), count(need.y, step.y));
     // Where pages are as large as need be, those of a row share it equally.
@@ -113,9 +114,10 @@ fn on_pages(
     // A piece lies in its bounding rectangle of least area and seldom leaves most of it empty. So a
     // grid of 20 times the limit is refused before its cells are checked.
     let grid = columns.saturating_mul(rows);
-    if grid > most.saturating_mul(20) {
+    if grid > (most as u64).saturating_mul(20) {
         return Err(grid);
     }
+    let (columns, rows) = (columns as usize, rows as usize);
     let size = Vec2::new(columns as f64 * step.x, rows as f64 * step.y) + Vec2::splat(OVERLAP_MM);
     let middle = around.min.lerp(around.max, 0.5);
     let corner = middle + size * -0.5;

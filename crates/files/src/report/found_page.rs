@@ -242,6 +242,9 @@ impl FoundPage<'_> {
                     " Its middle leaves the surface by up to "
                     (millimetres_fine(sheet.distance_max_mm)) "."
                 }
+                @if let Some(slide_mm) = predicted.slide_mm() {
+                    " Its edges slide along the boundary, by up to " (millimetres_fine(slide_mm)) "."
+                }
             }
         }
     }

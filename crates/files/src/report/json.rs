@@ -1,6 +1,7 @@
 //! `report.json`: what was measured and found, for scripts.
 
 use super::Written;
+use super::advice_json::{DivisionReport, PointReport, division_report, point_reports};
 use super::sheets_json::{SheetsReport, sheets_report};
 use crate::mesh::aim_name;
 use crate::quads::PanelQuads;
@@ -135,6 +136,9 @@ struct PanelReport<'a> {
     /// The largest distance of the sheet at rest from the surface, mm; null where none was
     /// computed.
     rest_distance_mm: Option<f64>,
+    /// How far its edges slide along the boundary at the most, mm; null where they are held, or
+    /// where no sheet was computed.
+    slide_mm: Option<f64>,
     /// The thickest sheet of its kind that takes the shape, mm; null unless this one does not and
     /// such a sheet was found.
     thickest_mm: Option<f64>,
@@ -198,6 +202,11 @@ struct PanelReport<'a> {
     moved_total_mm: f64,
     /// What the panel was before it was to be moved; null where nothing was to be.
     before: Option<BeforeReport>,
+    /// Points that rulings run together in, as in the tip of a cone.
+    points: Vec<PointReport>,
+    /// Where to divide it so that its parts bend; null where it bends, where no such division was
+    /// found, and where none was looked for.
+    division: Option<DivisionReport>,
     /// The panel in planar quads, and as a smooth surface; null unless the format `quads` or `step`
     /// was asked for.
     quads: Option<QuadsReport>,
@@ -351,7 +360,7 @@ pub fn report_json(
     let panels = made.parts.iter().enumerate().map(|(number, part)| {
         let common = of_part(made, number, written);
         match &part.origin {
-            Origin::Found(found) => of_found(common, part, found, quads[number].as_ref()),
+            Origin::Found(found) => of_found(common, made, part, found, quads[number].as_ref()),
             Origin::Given(given) => of_given(common, made, part, given),
         }
     });
@@ -460,6 +469,7 @@ fn of_part<'a>(made: &'a Made, number: usize, written: &Written<'_>) -> PanelRep
         hold_moment_n: predicted.and_then(Predicted::hold_moment_n),
         hold_load_n_per_m: predicted.and_then(Predicted::hold_load_n_per_mm).map(|n| 1e3 * n),
         rest_distance_mm: predicted.and_then(Predicted::rest_distance_mm),
+        slide_mm: predicted.and_then(Predicted::slide_mm),
         thickest_mm: predicted.and_then(|p| p.thickest_mm),
         bend_radius_min_mm: None,
         gauss_area_sr: measures.gauss_area_sr,
@@ -485,6 +495,8 @@ fn of_part<'a>(made: &'a Made, number: usize, written: &Written<'_>) -> PanelRep
         moved_max_mm: 0.0,
         moved_total_mm: 0.0,
         before: None,
+        points: Vec::new(),
+        division: division_report(part),
         quads: None,
         verdict: checked.verdict.name(),
         findings: of_findings(checked),
@@ -534,6 +546,7 @@ fn of_given<'a>(
 
 fn of_found<'a>(
     common: PanelReport<'a>,
+    made: &'a Made,
     part: &'a Part,
     found: &'a Found,
     quads: Option<&PanelQuads>,
@@ -560,6 +573,7 @@ fn of_found<'a>(
         moved_max_mm: change.map_or(0.0, Change::moved_max_mm),
         moved_total_mm: change.map_or(0.0, Change::moved_total_mm),
         before: change.and_then(|change| of_before(&change.before)),
+        points: point_reports(made, part, found),
         quads: quads.map(of_quads),
         ..common
     }

@@ -5,6 +5,7 @@
 //! reader's light or dark theme, stay legible on a phone and on paper, and have the same bytes on
 //! every platform: all colours and sizes of letters are classes of one style sheet.
 
+mod advice_json;
 mod brake_page;
 mod canvas;
 mod cut_page;

@@ -48,8 +48,11 @@ impl Growing {
     /// # Errors
     /// It can't be read.
     pub fn read(&self) -> Result<BufReader<File>, WriteError> {
-        // On Windows, the lock of the file is in the way of any handle but its own.
-        let read = self.file.try_clone().and_then(|mut file| {
+        // On Windows, the lock of the file is in the way of any handle but its own. WASI has no
+        // second handle, and no locks.
+        let handle =
+            if cfg!(target_os = "wasi") { File::open(&self.path) } else { self.file.try_clone() };
+        let read = handle.and_then(|mut file| {
             file.seek(SeekFrom::Start(0))?;
             Ok(BufReader::new(file))
         });

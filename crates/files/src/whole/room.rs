@@ -9,7 +9,6 @@ use std::fs::{self, File, TryLockError};
 use std::io;
 use std::mem;
 use std::path::{Path, PathBuf};
-use std::process;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The prefix of the names of temporary folders.
@@ -64,7 +63,7 @@ impl Room {
     /// A room in an existing folder; no sweep removes it as long as it lives.
     pub(super) fn new(hold: &mut Hold, folder: &Path) -> io::Result<Self> {
         for n in 0..TRIES {
-            let path = folder.join(format!("{TEMPORARY}{}-{n}", process::id()));
+            let path = folder.join(format!("{TEMPORARY}{}-{n}", own_number()));
             match create(&path).and_then(|()| locked(&path)) {
                 Ok(lock) => {
                     hold.0.push(Open { room: path.clone(), created: Vec::new() });
@@ -153,11 +152,20 @@ fn holds_our_files_only(room: &Path) -> bool {
     fs::read_dir(room).is_ok_and(|entries| entries.flatten().all(is_ours))
 }
 
+/// The number of this process; 0 where the system numbers none, and asking would panic.
+fn own_number() -> u32 {
+    if cfg!(target_os = "wasi") { 0 } else { std::process::id() }
+}
+
 /// A new folder that its owner alone may enter.
 fn create(path: &Path) -> io::Result<()> {
-    let mut builder = fs::DirBuilder::new();
+    let builder = fs::DirBuilder::new();
     #[cfg(unix)]
-    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    let builder = {
+        let mut builder = builder;
+        std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+        builder
+    };
     builder.create(path)
 }
 

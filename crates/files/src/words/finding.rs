@@ -5,16 +5,22 @@ use super::divided::{by, not_divided, piece_of};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
+use super::parted::{bends_divided, divided_in_vain};
 use super::place::point;
+use super::points::points;
 use super::read::read_note_text;
 use super::trims::trimmed;
 use crate::pdf::way_to_sheets;
-use sheetwright::check::{Finding, FindingKind, SeamCause, TooTight, Verdict};
+use sheetwright::check::{Finding, FindingKind, SeamCause, Verdict};
 use sheetwright::elastic::Basis;
 use sheetwright::math::{Point3, to_deg};
 use sheetwright::measure::SHARP_CREASE_DEG;
 use sheetwright::nets::{MEANT_DEG, MOST_FACETS};
 use sheetwright::tolerance::Tolerance;
+
+/// Above this share of the radius from which a sheet keeps its bend, it keeps little of it, and the
+/// computed radius hardly tells whether it does.
+const NEAR_YIELD: f64 = 0.8;
 
 /// A finding in words with units, and advice: one sentence or more for each kind.
 pub fn finding_text(finding: &Finding) -> String {
@@ -24,7 +30,7 @@ pub fn finding_text(finding: &Finding) -> String {
         Kind::Trimmed { note } => trimmed(note),
         Kind::Marked { note } => marked(note),
         Kind::StrainTooLarge { strain, limit, sheet, thickest_mm, basis } => format!(
-            "{}. {}.{} {}, or choose a sheet that stretches more.",
+            "{}. {}.{} {} a sheet that stretches more.",
             must_strain(*strain, *basis),
             takes(sheet.as_ref(), &percent_fine(*limit)),
             thickest_mm.map_or(String::new(), |mm| format!(
@@ -32,14 +38,19 @@ pub fn finding_text(finding: &Finding) -> String {
                 short_down(mm)
             )),
             match basis {
-                Basis::Pattern => "Divide the panel",
-                _ => "Move the boundary, divide the panel",
+                Basis::Pattern => "Divide the panel, or choose",
+                _ => "Move the boundary, or choose",
             }
         ),
         Kind::NeedsForce { .. } => needs_force(&finding.kind),
         Kind::Roll { radius_mm, from_mm, sheet } => format!(
             "The bend radius falls to {radius_mm:.0} mm. Below {from_mm:.0} mm, {sheet} keeps \
-             its bend: roll or form it. Bent by hand it springs back in part."
+             its bend: roll or form it. Bent by hand it springs back {}.",
+            if *radius_mm > NEAR_YIELD * from_mm {
+                "nearly all the way, since that is near the limit"
+            } else {
+                "in part"
+            }
         ),
         Kind::CantTell { strain, limit, sheet, basis } => format!(
             "The sheet must stretch by {} to {}, {}. {}, which lies between.",
@@ -73,7 +84,11 @@ pub fn finding_text(finding: &Finding) -> String {
             "The samples are too coarse to tell how tightly the sheet is bent: by them to \
              {least_mm:.1} mm, where the limit for {sheet} is {limit_mm:.1} mm. Use more samples."
         ),
-        Kind::Points { count, turn, too_tight } => points(*count == 1, *turn, too_tight.as_ref()),
+        Kind::Points { count, turn, reach, too_tight } => {
+            let reach =
+                reach.map(|reach| ([short(reach.reach_mm), short(reach.limit_mm)], reach.folds));
+            points(*count == 1, &degrees(*turn), reach, too_tight.as_ref())
+        }
         Kind::SelfCrossing => "The surface passes through itself in space. Choose a supporting \
                                plane, or change the boundary."
             .to_owned(),
@@ -97,6 +112,10 @@ pub fn finding_text(finding: &Finding) -> String {
             100.0 * reached,
             100.0 * wanted
         ),
+        Kind::BendsDivided { parts, way, strain, verdict } => {
+            bends_divided(*parts, *way, &percent_fine(*strain), phrase(*verdict))
+        }
+        Kind::DividedInVain { most } => divided_in_vain(*most),
         Kind::TwoSurfaces { apart_mm, is_one_pattern: true, .. } => format!(
             "Two surfaces fit this boundary about as well, up to {apart_mm:.1} mm apart, with one \
              pattern: the sheet goes either way."
@@ -140,10 +159,11 @@ pub fn finding_text(finding: &Finding) -> String {
                 None => "The pattern dashes mountains; valleys have dashes and dots.".to_owned(),
             }
         ),
-        Kind::FacetsMeant { facets, turn } => format!(
-            "As one surface the mesh would not bend. It has {facets} facets, of {MOST_FACETS} at \
-             the most, and along half of the lines between them it turns by {} or more, which is \
-             above {MEANT_DEG:.0}°: its facets are meant, and are folded.",
+        Kind::FacetsMeant { facets, turn, overlaps } => format!(
+            "As one surface the mesh would {}. It has {facets} facets, of {MOST_FACETS} at the \
+             most, and along half of the lines between them it turns by {} or more, where \
+             {MEANT_DEG:.0}° are enough: its facets are meant, and are folded.",
+            if *overlaps { "overlap itself on the flat" } else { "not bend" },
             degrees(*turn)
         ),
         Kind::FacetsFew { facets } => format!(
@@ -338,11 +358,11 @@ fn short(mm: f64) -> String {
     format!("{mm:.*}", decimals_of(mm))
 }
 
-/// A length with two significant digits, rounded down.
+/// A length with two significant digits, rounded down; one that has two already stays.
 fn short_down(mm: f64) -> String {
     let decimals = decimals_of(mm);
-    let step = (0..decimals).fold(1.0, |step, _| step / 10.0);
-    format!("{:.*}", decimals, (mm / step).floor() * step)
+    let scale = (0..decimals).fold(1.0, |scale, _| scale * 10.0);
+    format!("{:.*}", decimals, (mm * scale * (1.0 + 1e-12)).floor() / scale)
 }
 
 /// `one` for a count of 1, else the count and `more`.
@@ -357,27 +377,6 @@ fn first_up(text: &str) -> String {
 
 fn or_any_sheet(sheet: &Option<String>) -> &str {
     sheet.as_deref().unwrap_or("a sheet of no named material")
-}
-
-fn points(is_one: bool, turn: f64, too_tight: Option<&TooTight>) -> String {
-    let begin = match (too_tight, is_one) {
-        (None, true) => "Bend lines meet in a corner",
-        (None, false) => "Bend lines meet in corners",
-        (Some(_), true) => "Bend lines meet in a point",
-        (Some(_), false) => "Bend lines meet in points",
-    };
-    let advice = match too_tight {
-        Some(TooTight { sheet, limit_mm, needed_mm }) => format!(
-            "The bend radius there is {needed_mm:.1} mm; the limit for {sheet} is {limit_mm:.1} \
-             mm. Cut the point off, or move the boundary there."
-        ),
-        None => format!(
-            "Bend the {} in steps. The smallest bend radius leaves {} out.",
-            if is_one { "corner" } else { "corners" },
-            if is_one { "it" } else { "them" }
-        ),
-    };
-    format!("{begin} and turn the sheet by up to {} there. {advice}", degrees(turn))
 }
 
 fn not_proven(gap: Option<f64>, cut_short: bool) -> String {
@@ -557,10 +556,10 @@ fn divided(cut: Option<[Point3; 2]>, has_creases: bool) -> String {
     first_up(&advice.join(", or "))
 }
 
-fn reduced(sheets: usize, scale: f64, most: usize, is_full: bool) -> String {
+fn reduced(sheets: u64, scale: f64, most: usize, is_full: bool) -> String {
     let too_many = if is_full {
         format!("; the panels before it leave fewer of the {most} that one PDF may have")
-    } else if sheets > most {
+    } else if sheets > most as u64 {
         format!("; the limit of one PDF is {most}")
     } else {
         String::new()

@@ -9,7 +9,9 @@ mod finding;
 mod healed;
 mod marks;
 mod moved;
+mod parted;
 mod place;
+mod points;
 mod read;
 #[cfg(test)]
 mod tests;

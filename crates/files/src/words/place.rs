@@ -1,6 +1,6 @@
 //! Places of findings, in words.
 
-use sheetwright::check::{BorderSide, Finding, FindingKind, Place, SeamPlace};
+use sheetwright::check::{BorderSide, Finding, FindingKind, LinePlace, Place, SeamPlace};
 use sheetwright::index::SampleIndex;
 use sheetwright::math::Point3;
 use sheetwright::pattern::seam_mark;
@@ -33,6 +33,7 @@ pub fn finding_place(finding: &Finding) -> String {
         }
         (Place::Seams { seams: list }, _) => seams(list),
         (Place::Points { at }, kind) => points(at, kind),
+        (Place::Lines { lines: list }, _) => lines(list),
         (Place::CurvePoints { curve, numbers }, _) => {
             let first = numbers.first().map_or(0, |first| first + 1);
             format!("point {first}{} of '{curve}'", and_more(numbers.len(), 1, ""))
@@ -45,6 +46,14 @@ pub(super) fn point(p: Point3) -> String {
     // Rounded first, so that no zero has a sign.
     let [x, y, z] = [p.x, p.y, p.z].map(|c| (c * 10.0).round() / 10.0 + 0.0);
     format!("({x:.1}, {y:.1}, {z:.1}) mm")
+}
+
+/// Lines by their ends.
+fn lines(lines: &[LinePlace]) -> String {
+    let ends = |line: &LinePlace| Some((point(*line.at.first()?), point(*line.at.last()?)));
+    let ends = lines.iter().filter_map(ends).map(|(a, b)| format!("from {a} to {b}"));
+    let ends = ends.collect::<Vec<_>>().join(", ");
+    format!("along the {} {ends}", if lines.len() == 1 { "line" } else { "lines" })
 }
 
 fn number(sample: SampleIndex) -> usize {

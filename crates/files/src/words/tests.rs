@@ -1,5 +1,5 @@
 use super::*;
-use sheetwright::check::{Finding, FindingKind, Place, TooTight};
+use sheetwright::check::{Finding, FindingKind, Place, PointReach, TooTight};
 use sheetwright_shapes::findings::one_of_each;
 use std::collections::BTreeSet;
 
@@ -57,8 +57,23 @@ fn a_finding_reads_well() {
     assert_eq!(
         said("strain-too-large")[0],
         "To take this shape, the sheet must stretch by 0.210 % within its plane. The limit for mild \
-         steel, 1 mm is 0.120 %. In 0.63 mm it would take the shape. Move the boundary, divide the \
-         panel, or choose a sheet that stretches more. (at (12.0, -3.5, 0.3) mm)"
+         steel, 1 mm is 0.120 %. In 0.63 mm it would take the shape. Move the boundary, or \
+         choose a sheet that stretches more. (at (12.0, -3.5, 0.3) mm)"
+    );
+    assert_eq!(
+        said("bends-divided"),
+        [
+            "Divided straight across, from one long side to the other, into 2 panels of equal \
+             length, it takes its shape. Computed by itself, 95 % of each panel stretches by less \
+             than 0.0210 %, and it bends and folds. Draw them as panels of their own: each has another pattern than \
+             its piece of this one. (along the line from (0.0, -3.5, 0.3) mm to (2.0, -3.5, 0.3) mm)",
+            "Divided lengthwise, between its long sides, into 3 panels of equal width, it takes its \
+             shape. Computed by itself, 95 % of each panel stretches by less than 0.0210 %, and it \
+             must be rolled. \
+             Draw them as panels of their own: each has another pattern than its piece of this one. \
+             (along the lines from (0.0, -3.5, 0.3) mm to (2.0, -3.5, 0.3) mm, from (3.0, -3.5, 0.3) \
+             mm to (5.0, -3.5, 0.3) mm)"
+        ]
     );
     assert_eq!(
         said("needs-force"),
@@ -142,12 +157,17 @@ fn one_and_several_read_well() {
     let ply = "plywood, 4 mm";
     assert!(folds(2, Some(ply)).ends_with("Plywood, 4 mm does not fold; move the boundary there."));
     let too_tight = TooTight { sheet: ply.to_owned(), limit_mm: 380.0, needed_mm: 12.0 };
-    let points = FindingKind::Points { count: 1, turn: 0.5, too_tight: Some(too_tight) };
-    assert!(
-        said(points).contains(
-            "there. The bend radius there is 12.0 mm; the limit for plywood, 4 mm is 380.0"
-        )
-    );
+    let points = FindingKind::Points {
+        count: 1,
+        turn: 0.5,
+        reach: Some(PointReach { reach_mm: 760.0, limit_mm: 380.0, folds: false }),
+        too_tight: Some(too_tight),
+    };
+    assert!(said(points).contains(
+        "there. Within 760 mm of it the sheet would be bent to less than 380 mm, its limit: \
+             there it breaks, or stands off. Rounded off, the bend radius there is 12.0 mm; the \
+             limit for plywood, 4 mm is 380.0"
+    ));
     let turned = |names: &[&str]| {
         let panels = names.iter().map(|&name| name.to_owned()).collect();
         said(FindingKind::TurnedRound { panels, first: "a".to_owned() })

@@ -2,7 +2,8 @@
 //! on.
 
 use super::crease;
-use crate::mesh::{Mesh, MeshEdge};
+use crate::mesh::MeshEdge;
+use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, from_deg, unit2};
 use std::collections::BTreeMap;
@@ -27,9 +28,12 @@ pub(crate) struct FoldLine {
 }
 
 /// The folds of a sheet above this angle, radians, each as long as it goes straight on.
-pub(crate) fn folds(sheet: &Mesh, flat: &[Point2], least: f64) -> Vec<FoldLine> {
-    let edges = sheet.edges();
-    let of_edge = |edge: &MeshEdge| Some(crease(sheet, edge)).filter(|crease| crease.abs() > least);
+pub(crate) fn folds(sheet: &Sheet, flat: &[Point2], least: f64) -> Vec<FoldLine> {
+    let edges = sheet.mesh().edges();
+    let of_edge = |edge: &MeshEdge| {
+        let crease = crease(sheet.mesh(), edge);
+        (crease.abs() > least && !sheet.is_within_face(edge)).then_some(crease)
+    };
     let creases: Vec<Option<f64>> = edges.iter().map(of_edge).collect();
     let mut at: BTreeMap<VertexIndex, Vec<usize>> = BTreeMap::new();
     for (n, edge) in edges.iter().enumerate().filter(|&(n, _)| creases[n].is_some()) {
@@ -72,9 +76,10 @@ pub(crate) fn folds(sheet: &Mesh, flat: &[Point2], least: f64) -> Vec<FoldLine> 
     folds
 }
 
-/// How many folds of a net are mountains, and how many valleys.
-pub(crate) fn fold_counts(sheet: &Mesh, flat: &[Point2]) -> [usize; 2] {
+/// How many folds of a net are mountains and how many valleys, and the sharpest of them, radians.
+pub(crate) fn fold_counts(sheet: &Sheet, flat: &[Point2]) -> ([usize; 2], f64) {
     let folds = folds(sheet, flat, from_deg(FOLDED_DEG));
     let mountains = folds.iter().filter(|fold| fold.crease > 0.0).count();
-    [mountains, folds.len() - mountains]
+    let sharpest = folds.iter().map(|fold| fold.crease.abs()).fold(0.0, f64::max);
+    ([mountains, folds.len() - mountains], sharpest)
 }

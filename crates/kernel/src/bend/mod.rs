@@ -33,7 +33,7 @@ pub(crate) use tool::FoldTool;
 use crate::design::Bends;
 use crate::flatten::Flattened;
 use crate::measure::{Measures, RungMeasures};
-use crate::mesh::{Mesh, MeshEdge, SCORED_CREASE_DEG};
+use crate::mesh::{Mesh, MeshEdge, SCORED_CREASE_DEG, scored_creases};
 use crate::sheet::Sheet;
 use divide::divided;
 use fold::{FoldLine, folds};
@@ -106,7 +106,7 @@ pub(crate) fn bend_lines(
     let on_border: usize = mesh.loops().iter().map(Vec::len).sum();
     if is_net || on_border != mesh.positions().len() {
         let least_deg = if is_net { FOLDED_DEG } else { SCORED_CREASE_DEG };
-        let folds = folds(mesh, &flat.points, from_deg(least_deg));
+        let folds = folds(sheet, &flat.points, from_deg(least_deg));
         let line = |(strip, fold): (usize, FoldLine)| BendLine {
             strip,
             is_fold: true,
@@ -212,9 +212,7 @@ pub(crate) fn crease(mesh: &Mesh, edge: &MeshEdge) -> f64 {
 pub(crate) fn folded_edges(sheet: &Sheet, rungs: &[RungMeasures]) -> Vec<bool> {
     let edges = sheet.mesh().edges();
     if !sheet.has_rungs() {
-        let is_scored =
-            |edge: &MeshEdge| crease(sheet.mesh(), edge).abs() > from_deg(SCORED_CREASE_DEG);
-        return edges.iter().map(is_scored).collect();
+        return scored_creases(sheet.mesh()).into_iter().map(|turn| turn > 0.0).collect();
     }
     let measured = sheet.rung_ends().iter().zip(rungs);
     let mut folds: Vec<_> = measured

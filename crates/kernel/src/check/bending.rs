@@ -1,6 +1,6 @@
 //! Findings on a surface that was found: does the sheet follow it by bending?
 
-use super::{Finding, FindingKind, Place, SeamCause, Subject, TooTight, Verdict};
+use super::{Finding, FindingKind, Place, PointReach, SeamCause, Subject, TooTight, Verdict};
 use super::{overlap, seams, strain};
 use crate::design::Thick;
 use crate::measure::{RungMeasures, SHARP_CREASE_DEG};
@@ -57,7 +57,14 @@ fn points(panel: &Panel<'_>) -> Option<Finding> {
         needed_mm: sharpest.radius_mm,
     });
     let numbers = apexes.iter().map(|apex| apex.sample).collect();
-    let kind = FindingKind::Points { count: apexes.len(), turn: sharpest.turn, too_tight };
+    let reach = panel.part.material.and_then(|m| {
+        let limit_mm = m.bend_radius_mm.value;
+        let reach_mm = apexes.iter().map(|apex| apex.reach_mm(limit_mm)).fold(0.0, f64::max);
+        // A point that reaches over the whole panel has no size of its own.
+        let reach = PointReach { reach_mm, limit_mm, folds: m.folds() };
+        (reach_mm < panel.boundary.size()).then_some(reach)
+    });
+    let kind = FindingKind::Points { count: apexes.len(), turn: sharpest.turn, reach, too_tight };
     Some(Finding::new(kind, Place::Samples { numbers }))
 }
 

@@ -1,11 +1,12 @@
-//! The kinds of findings, each with its numbers. Code and severity follow from the kind; `files`
-//! writes the sentences.
+//! The kinds of findings, each with its numbers. Code and severity follow from the kind (`code`);
+//! `files` writes the sentences.
 
-use super::remedy::Remedy;
-use super::severity::Severity;
+use super::numbers::{
+    Bend, CutWay, Division, Hindrance, Movement, PointReach, SeamCause, TooTight,
+};
 use super::verdict::Verdict;
 use crate::bend::Mitred;
-use crate::design::{DivideJoint, ReadNote, Unused};
+use crate::design::ReadNote;
 use crate::divide::DivideFault;
 use crate::elastic::Basis;
 use crate::fair::Ended;
@@ -13,7 +14,6 @@ use crate::mark::MarkNote;
 use crate::mesh::{Damage, Skin};
 use crate::trim::TrimNote;
 use sheetwright_geometry::math::Point3;
-use sheetwright_geometry::tolerance::Tolerance;
 
 /// The kind of a finding. Angles are in radians; errors and limits of lengths are shares without
 /// unit.
@@ -110,6 +110,8 @@ pub enum FindingKind {
         count: usize,
         /// The largest angle by which the sheet turns at one.
         turn: f64,
+        /// How far the points reach where they are largest; `None` without a material.
+        reach: Option<PointReach>,
         /// The sheet that can't be rolled so tightly; `None` where it takes the points.
         too_tight: Option<TooTight>,
     },
@@ -135,6 +137,22 @@ pub enum FindingKind {
         wanted: f64,
         /// The share that is left.
         reached: f64,
+    },
+    /// A panel that will not bend would as several, divided along lines between its rails.
+    BendsDivided {
+        /// How many.
+        parts: usize,
+        /// How the lines run, at even distances.
+        way: CutWay,
+        /// The largest strain in the plane of a part, of which 95 % of its area stays below.
+        strain: f64,
+        /// The worst verdict on a part.
+        verdict: Verdict,
+    },
+    /// A panel that will not bend would not as several either.
+    DividedInVain {
+        /// Largest number of parts that was tried, both ways.
+        most: usize,
     },
     /// Another surface fits the boundary about as well.
     TwoSurfaces {
@@ -189,8 +207,11 @@ pub enum FindingKind {
         facets: usize,
         /// The angle by which it turns at half of the length of the lines between them, radians.
         turn: f64,
+        /// Whether as one surface it would bend, but its pattern overlap itself.
+        overlaps: bool,
     },
-    /// A mesh would not bend as one surface, and has few facets, which can be folded.
+    /// A mesh would not bend as one surface, or its pattern would overlap itself. It has few
+    /// facets, which can be folded.
     FacetsFew {
         /// How many there are.
         facets: usize,
@@ -444,7 +465,7 @@ pub enum FindingKind {
     /// The PDF shows the panel smaller than it is.
     PdfReduced {
         /// About how many sheets of paper it takes at true scale.
-        sheets: usize,
+        sheets: u64,
         /// The scale, as 400 of 1:400.
         scale: f64,
         /// The most sheets of a PDF.
@@ -498,284 +519,4 @@ pub enum FindingKind {
         /// What.
         note: MarkNote,
     },
-}
-
-/// How a part was divided.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Division {
-    /// How many pieces there are.
-    pub pieces: usize,
-    /// How many joints.
-    pub joints: usize,
-    /// What they are.
-    pub joint: DivideJoint,
-    /// How far pieces lie over one another, mm, if they do.
-    pub lap_mm: Option<f64>,
-    /// How long the whole part is, mm.
-    pub length_mm: f64,
-    /// The room of the largest sheet, its longer side first, mm.
-    pub room_mm: [f64; 2],
-}
-
-/// A sheet that can't be rolled so tightly.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TooTight {
-    /// The sheet.
-    pub sheet: String,
-    /// The smallest bend radius that it takes, mm.
-    pub limit_mm: f64,
-    /// The bend radius of the point, mm.
-    pub needed_mm: f64,
-}
-
-/// Why a pattern has seams.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SeamCause {
-    /// In one piece it does not lie flat.
-    NotFlat,
-    /// It is closed.
-    Closed,
-    /// Cuts let it stretch less.
-    Darts,
-    /// It is folded between its facets.
-    Facets,
-}
-
-/// How a panel bends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bend {
-    /// The largest warp angle, radians.
-    pub warp: f64,
-    /// The smallest bend radius, mm; infinite where flat.
-    pub radius_mm: f64,
-}
-
-/// How a boundary was moved, and the change of warp and twist.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Movement {
-    /// The curves of the panel that moved, by name.
-    pub curves: Vec<String>,
-    /// The largest distance that a sample was moved, mm.
-    pub moved_max_mm: f64,
-    /// The sum of the distances of all samples, mm.
-    pub moved_total_mm: f64,
-    /// The size of the boundary, mm.
-    pub size_mm: f64,
-    /// The largest warp angle before and after, radians.
-    pub warp: [f64; 2],
-    /// The total twist before and after, without unit.
-    pub twist: [f64; 2],
-}
-
-/// What keeps a panel from bending although its warp angles reach the goal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hindrance {
-    /// The strain, which the warp angle alone does not tell.
-    Strain,
-    /// Its bend radius.
-    Radius,
-    /// Something else that was found.
-    Other,
-}
-
-impl FindingKind {
-    /// Its severity.
-    pub fn severity(&self) -> Severity {
-        let unless =
-            |is_fine: bool, bad: Severity, fine: Severity| if is_fine { fine } else { bad };
-        match self {
-            Self::StrainTooLarge { .. }
-            | Self::RadiusTooSmall { .. }
-            | Self::SheetTooThick { .. }
-            | Self::SelfCrossing
-            | Self::Overlap
-            | Self::Flipped { .. }
-            | Self::Refold { .. }
-            | Self::NotReadBack { .. } => Severity::Error,
-            Self::NeedsForce { .. }
-            | Self::Roll { .. }
-            | Self::CantTell { .. }
-            | Self::RadiusUnsure { .. }
-            | Self::RungWithoutPlane { .. }
-            | Self::NoOtherSurface
-            | Self::StrainNotReached { .. }
-            | Self::WindowGap { .. }
-            | Self::NotTwoSkins
-            | Self::Divide { .. }
-            | Self::BorderNotTrue { .. }
-            | Self::RoundedCorner { .. }
-            | Self::UnfairLine { .. }
-            | Self::SplineBulge { .. }
-            | Self::StayedStraight { .. }
-            | Self::WarpNotReached { .. }
-            | Self::LinesClose { .. }
-            | Self::LinesLong { .. }
-            | Self::FlangeShort { .. }
-            | Self::FoldsMitred { .. }
-            | Self::TooLarge { .. }
-            | Self::NoSheet { .. }
-            | Self::NotDivided { .. }
-            | Self::QuadsNotPlanar { .. } => Severity::Warning,
-            Self::BetterWithoutPlane { .. }
-            | Self::NotProven { .. }
-            | Self::BendLines { .. }
-            | Self::FacetsMeant { .. }
-            | Self::FacetsFew { .. }
-            | Self::FoldsNotNeeded { .. }
-            | Self::Seams { .. }
-            | Self::Stretch { .. }
-            | Self::TrianglesLeftOut { .. }
-            | Self::PartsLeftOut { .. }
-            | Self::Healed { .. }
-            | Self::TwoSkins { .. }
-            | Self::PointContacts { .. }
-            | Self::JointsSmoothed { .. }
-            | Self::TurnedRound { .. }
-            | Self::Moved { .. }
-            | Self::NotMoved { .. }
-            | Self::QuadsOffBoundary { .. }
-            | Self::Divided { .. }
-            | Self::Strap { .. }
-            | Self::PdfReduced { .. } => Severity::Note,
-            // An open line among closed ones is mostly an outline that should be closed.
-            Self::Read { note: ReadNote::NotUsed { what: Unused::Open, .. } } => Severity::Warning,
-            Self::Read { .. } => Severity::Note,
-            Self::Trimmed { note: TrimNote::NotProved { .. } } => Severity::Error,
-            Self::Marked { note: MarkNote::CurvedFrame { .. } } => Severity::Note,
-            Self::Trimmed { .. } | Self::Marked { .. } => Severity::Warning,
-            Self::TwoSurfaces { is_one_pattern, .. } => {
-                unless(*is_one_pattern, Severity::Warning, Severity::Note)
-            }
-            Self::OffTolerance { is_usual, .. } => {
-                unless(*is_usual, Severity::Warning, Severity::Note)
-            }
-            Self::Points { too_tight, .. } => {
-                unless(too_tight.is_none(), Severity::Warning, Severity::Note)
-            }
-            Self::Folds { stiff, .. } | Self::Creases { stiff, .. } => {
-                unless(stiff.is_none(), Severity::Error, Severity::Warning)
-            }
-            Self::FoldedFacets { stiff, .. } => {
-                unless(stiff.is_none(), Severity::Error, Severity::Note)
-            }
-            // Closing holes changes lengths by less than cutting does, mostly.
-            Self::LengthError { largest, closes_holes } => {
-                let is_unseen = *closes_holes && *largest <= Tolerance::STRETCH.share();
-                unless(is_unseen, Severity::Warning, Severity::Note)
-            }
-            Self::RanOn { .. } => {
-                unless(!self.is_worse_than_straight(), Severity::Warning, Severity::Note)
-            }
-        }
-    }
-
-    /// A name that scripts may rely on.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::StrainTooLarge { .. } => "strain-too-large",
-            Self::NeedsForce { .. } => "needs-force",
-            Self::Roll { .. } => "roll",
-            Self::CantTell { .. } | Self::RadiusUnsure { .. } => "cant-tell",
-            Self::FoldsNotNeeded { .. } => "fold-not-needed",
-            Self::RadiusTooSmall { .. } => "radius-too-small",
-            Self::SheetTooThick { .. } => "sheet-too-thick",
-            Self::Points { .. } => "point",
-            Self::SelfCrossing => "self-crossing",
-            Self::Overlap => "overlap",
-            Self::RungWithoutPlane { .. } => "rung-without-plane",
-            Self::BetterWithoutPlane { .. } => "better-without-plane",
-            Self::StrainNotReached { .. } => "strain-not-reached",
-            Self::TwoSurfaces { .. } => "two-surfaces",
-            Self::NoOtherSurface => "no-other-surface",
-            Self::NotProven { .. } => "not-proven",
-            Self::Folds { .. } | Self::Creases { .. } => "folds",
-            Self::FoldedFacets { .. } => "folds",
-            Self::FacetsMeant { .. } | Self::FacetsFew { .. } => "facets",
-            Self::BendLines { .. } => "bend-lines",
-            Self::LengthError { .. } | Self::Stretch { .. } => "length-error",
-            Self::WindowGap { .. } => "window-gap",
-            Self::Seams { .. } => "seam",
-            Self::Divide { .. } => "divide",
-            Self::BorderNotTrue { .. } => "border-not-true",
-            Self::Flipped { .. } => "flipped",
-            Self::TrianglesLeftOut { .. } | Self::PartsLeftOut { .. } => "left-out",
-            Self::Healed { .. } => "healed",
-            Self::TwoSkins { .. } | Self::NotTwoSkins => "two-skins",
-            Self::PointContacts { .. } => "point-contact",
-            Self::RoundedCorner { .. } => "rounded-corner",
-            Self::UnfairLine { .. } => "unfair-line",
-            Self::SplineBulge { .. } => "spline-bulge",
-            Self::OffTolerance { .. } => "off-tolerance",
-            Self::JointsSmoothed { .. } => "joint-smoothed",
-            Self::RanOn { .. } | Self::StayedStraight { .. } => "ran-on",
-            Self::TurnedRound { .. } => "turned-round",
-            Self::Moved { .. } => "moved",
-            Self::NotMoved { .. } => "not-moved",
-            Self::WarpNotReached { .. } => "warp-not-reached",
-            Self::Refold { .. } | Self::NotReadBack { .. } => "refold",
-            Self::QuadsOffBoundary { .. } => "quads-off-boundary",
-            Self::QuadsNotPlanar { .. } => "quads-not-planar",
-            Self::PdfReduced { .. } => "pdf-reduced",
-            Self::TooLarge { .. } => "too-large",
-            Self::NoSheet { .. } => "no-sheet",
-            Self::Divided { .. } | Self::Strap { .. } => "divided",
-            Self::NotDivided { .. } => "not-divided",
-            Self::Read { note: ReadNote::NotUsed { .. } } => "not-used",
-            Self::Read { .. } => "drawing",
-            Self::Trimmed { .. } => "trim",
-            Self::Marked { .. } => "mark",
-            Self::LinesClose { .. } => "bend-lines-close",
-            Self::LinesLong { .. } => "bend-lines-long",
-            Self::FlangeShort { .. } => "flange-short",
-            Self::FoldsMitred { .. } => "folds-mitred",
-        }
-    }
-
-    /// Settings that help against it.
-    pub fn remedies(&self) -> Vec<Remedy> {
-        let listed = |list: &[(bool, Remedy)]| {
-            let helps = list.iter().filter(|(helps, _)| *helps);
-            helps.map(|(_, remedy)| *remedy).collect()
-        };
-        match self {
-            Self::TwoSurfaces { is_one_pattern, .. } => {
-                listed(&[(!is_one_pattern, Remedy::OtherSurface)])
-            }
-            Self::NotProven { cut_short, .. } => listed(&[(*cut_short, Remedy::Effort)]),
-            Self::Divide { cut, has_darts, has_creases, .. } => listed(&[
-                (cut.is_some() && !has_darts, Remedy::Darts),
-                (*has_creases, Remedy::SplitCreases),
-            ]),
-            Self::TooLarge { .. } => vec![Remedy::Divide],
-            Self::FacetsMeant { .. } => vec![Remedy::NoFacets],
-            Self::FacetsFew { .. } => vec![Remedy::Facets],
-            Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),
-            Self::TwoSkins { laid: None, .. } => vec![Remedy::OneSkin],
-            Self::PdfReduced { sheets, most, is_full, .. } => {
-                listed(&[(sheets <= most && !is_full, Remedy::Sheets(*sheets))])
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Whether rails that were let run on bend the panel worse than straight ends do: both the
-    /// largest warp and the smallest bend radius are worse.
-    pub fn is_worse_than_straight(&self) -> bool {
-        let Self::RanOn { bends: Some([now, straight]), .. } = self else { return false };
-        now.warp > straight.warp && now.radius_mm < straight.radius_mm
-    }
-
-    /// Whether it is about how the part bends, so that as an error it keeps it from bending.
-    pub(super) fn is_of_bending(&self) -> bool {
-        matches!(
-            self,
-            Self::StrainTooLarge { .. }
-                | Self::RadiusTooSmall { .. }
-                | Self::SheetTooThick { .. }
-                | Self::SelfCrossing
-                | Self::Folds { .. }
-                | Self::Creases { .. }
-                | Self::FoldedFacets { .. }
-        )
-    }
 }

@@ -3,7 +3,7 @@
 use crate::measure::RungMeasures;
 use crate::sheet::{Seam, Sheet};
 use sheetwright_geometry::index::SampleIndex;
-use sheetwright_geometry::math::Point3;
+use sheetwright_geometry::math::{Point2, Point3};
 
 /// The place of a finding. All numbers count from 0.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,6 +41,11 @@ pub enum Place {
         /// Where they are, mm.
         at: Vec<Point3>,
     },
+    /// Lines across the part.
+    Lines {
+        /// From end to end.
+        lines: Vec<LinePlace>,
+    },
     /// Points of a curve.
     CurvePoints {
         /// The curve, by name.
@@ -66,6 +71,16 @@ pub struct SeamPlace {
     pub number: usize,
     /// The samples that it runs between; `None` of a mesh.
     pub ends: Option<[SampleIndex; 2]>,
+}
+
+/// A line across a part, which may lie beside its sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinePlace {
+    /// Points of the line, mm.
+    pub at: Vec<Point3>,
+    /// The points of the part that are nearest to points along the line, as it was drawn and on its
+    /// pattern, mm.
+    pub on_part: Vec<(Point3, Point2)>,
 }
 
 impl Place {

@@ -23,5 +23,5 @@ pub enum Remedy {
     /// Dividing parts that are larger than the sheet.
     Divide,
     /// A larger number of sheets of paper for a pattern: this one.
-    Sheets(usize),
+    Sheets(u64),
 }

@@ -1,6 +1,6 @@
 //! Findings on how far a sheet stretches and bends in its shape: the verdict.
 
-use super::{Checked, Finding, FindingKind, Place, title};
+use super::{Checked, CutWay, Finding, FindingKind, LinePlace, Place, Verdict, title};
 use crate::elastic::{Basis, Elastic, Predicted};
 use crate::material::{EASY_SHARE, Material};
 use crate::measure::{Measures, RungMeasures};
@@ -122,4 +122,21 @@ impl Checked {
 /// sheet takes.
 pub(crate) fn strain_not_reached(wanted: f64, reached: f64) -> Finding {
     Finding::of_whole(FindingKind::StrainNotReached { wanted, reached })
+}
+
+/// The finding that a panel would bend as several parts, with the lines between them.
+pub(crate) fn bends_divided(
+    way: CutWay,
+    parts: usize,
+    strain: f64,
+    verdict: Verdict,
+    lines: Vec<LinePlace>,
+) -> Finding {
+    let kind = FindingKind::BendsDivided { parts, way, strain, verdict };
+    Finding::new(kind, Place::Lines { lines })
+}
+
+/// The finding that a panel would not bend as so many parts or fewer either.
+pub(crate) fn divided_in_vain(most: usize) -> Finding {
+    Finding::of_whole(FindingKind::DividedInVain { most })
 }

@@ -1,13 +1,11 @@
 //! Findings on a mesh that was laid flat: how much must the sheet stretch, and where would a cut
 //! help?
 
-use super::{Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject};
+use super::{FacetsMeant, Finding, FindingKind, MeshOrigin, Place, SeamCause, Subject};
 use super::{overlap, seams, strain, title};
 use crate::bend::fold_counts;
 use crate::measure::Distortion;
-use crate::mesh::{Healing, SCORED_CREASE_DEG, Specks, crease_angles};
-use crate::nets::Coarseness;
-use sheetwright_geometry::math::to_deg;
+use crate::mesh::{Healing, Specks, scored_creases};
 
 /// The border is true up to this share of a length.
 const TRUE_BORDER: f64 = 1e-9;
@@ -92,8 +90,7 @@ fn flipped(panel: &Panel<'_>) -> Option<Finding> {
 
 /// The angles of all creases to be scored, radians.
 fn sharp_creases(panel: &Panel<'_>) -> impl Iterator<Item = f64> {
-    let angles = crease_angles(panel.part.sheet.mesh());
-    angles.into_iter().filter(|&angle| to_deg(angle) > SCORED_CREASE_DEG)
+    scored_creases(panel.part.sheet.mesh()).into_iter().filter(|&angle| angle > 0.0)
 }
 
 fn folds(panel: &Panel<'_>) -> Option<Finding> {
@@ -105,8 +102,7 @@ fn folds(panel: &Panel<'_>) -> Option<Finding> {
 
 /// The folds of a piece of a net.
 fn net_folds(panel: &Panel<'_>) -> Option<Finding> {
-    let [mountains, valleys] = fold_counts(panel.part.sheet.mesh(), &panel.part.flat.points);
-    let sharpest = panel.part.measures.crease_max;
+    let ([mountains, valleys], sharpest) = fold_counts(panel.part.sheet, &panel.part.flat.points);
     let stiff = title(panel.part.material.filter(|m| !m.folds()));
     let kind = FindingKind::FoldedFacets { mountains, valleys, sharpest, stiff };
     (mountains + valleys > 0).then(|| Finding::of_whole(kind))
@@ -114,8 +110,9 @@ fn net_folds(panel: &Panel<'_>) -> Option<Finding> {
 
 /// The rule by which a mesh is folded without being asked for.
 fn facets_meant(panel: &Panel<'_>) -> Option<Finding> {
-    let Coarseness { facets, median_turn: turn } = panel.origin.net?.meant?;
-    Some(Finding::of_whole(FindingKind::FacetsMeant { facets, turn }))
+    let FacetsMeant { coarse, overlaps } = panel.origin.net?.meant?;
+    let (facets, turn) = (coarse.facets, coarse.median_turn);
+    Some(Finding::of_whole(FindingKind::FacetsMeant { facets, turn, overlaps }))
 }
 
 fn why_cut(panel: &Panel<'_>) -> SeamCause {

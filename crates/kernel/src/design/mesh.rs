@@ -33,11 +33,15 @@ pub struct PanelMesh {
     /// the mesh.
     pub skin: Option<Skin>,
     /// Whether its facets are folded and nothing is stretched, as a paper model is made. Default:
-    /// where the mesh would not bend as one surface, and its facets are coarse
-    /// ([`crate::nets::Coarseness::is_meant`]).
+    /// where the mesh would not bend as one surface, or its pattern would overlap itself, and its
+    /// facets are coarse ([`crate::nets::Coarseness::is_meant`]).
     pub facets: Option<bool>,
     /// The width and height of a rectangle that no piece of facets exceeds, mm. Default: no limit.
     pub pieces_within_mm: Option<[f64; 2]>,
+    /// Ways along which it is cut, each by points, mm: from the vertex nearest to one to that
+    /// nearest to the next, along sides. Copies of a design share them. Default: the lines of its
+    /// file, if any.
+    pub seams: Arc<Vec<Vec<Point3>>>,
 }
 
 impl PanelMesh {
@@ -52,6 +56,7 @@ impl PanelMesh {
             skin: None,
             facets: None,
             pieces_within_mm: None,
+            seams: Arc::default(),
         }
     }
 }
@@ -65,6 +70,6 @@ impl PartialEq for PanelMesh {
             let Self { aim, split_creases, darts, skin, facets, pieces_within_mm, .. } = mesh;
             (*aim, *split_creases, *darts, *skin, *facets, *pieces_within_mm)
         };
-        same_triangles && settings(self) == settings(other)
+        same_triangles && settings(self) == settings(other) && self.seams == other.seams
     }
 }

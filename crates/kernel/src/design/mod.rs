@@ -134,6 +134,9 @@ pub struct DesignPanel {
     /// Whether the rails run on beyond their ends, so that rulings may leave the strip there; its
     /// ends are then no longer straight. Only for rails.
     pub run_on: bool,
+    /// Whether its edges slide along the boundary while it is bent; between rails, nothing holds
+    /// its straight ends then. Else each point of an edge is held where the surface has it.
+    pub slides: bool,
     /// The weight ν of the fold price.
     pub fold: f64,
     /// How much work the search may do where there are holes, as a multiple of
@@ -156,6 +159,11 @@ pub struct DesignPanel {
 }
 
 impl DesignPanel {
+    /// Whether it is a mesh that was given, rather than a surface to be found.
+    pub fn is_mesh(&self) -> bool {
+        matches!(self.shape, PanelShape::Mesh(_))
+    }
+
     /// A panel with so many samples, and else with the defaults: the best of all triangulations by
     /// its price with the default fold, on the best-fit plane where there is one, straight ends.
     pub fn new(name: impl Into<String>, shape: PanelShape, samples: usize) -> Self {
@@ -168,6 +176,7 @@ impl DesignPanel {
             goal: Goal::Price,
             plane: PlaneChoice::Auto,
             run_on: false,
+            slides: false,
             fold: DEFAULT_FOLD,
             effort: 1.0,
             cut: Vec::new(),

@@ -39,8 +39,10 @@ impl Design {
             vary.budget_mm = vary.budget_mm.map(|mm| mm * factor);
         }
         self.marks.iter_mut().for_each(|mark| mark.scaled(factor));
-        // Panels that share triangles share them afterwards.
+        // Panels that share triangles, or seams, share them afterwards.
         let mut known: BTreeMap<*const Triangles, Arc<Triangles>> = BTreeMap::new();
+        let mut known_seams: BTreeMap<*const Vec<Vec<Point3>>, Arc<Vec<Vec<Point3>>>> =
+            BTreeMap::new();
         for panel in &mut self.panels {
             panel.cut.iter_mut().for_each(|p| *p = place(*p));
             match &mut panel.shape {
@@ -51,6 +53,11 @@ impl Design {
                         Arc::new(triangles)
                     });
                     mesh.triangles = larger.clone();
+                    let larger = known_seams.entry(Arc::as_ptr(&mesh.seams)).or_insert_with(|| {
+                        let way = |way: &Vec<Point3>| way.iter().copied().map(place).collect();
+                        Arc::new(mesh.seams.iter().map(way).collect())
+                    });
+                    mesh.seams = larger.clone();
                 }
                 PanelShape::Join(join) => {
                     if let Within::Mm(mm) = &mut join.within {
@@ -79,7 +86,8 @@ mod tests {
             triangles: vec![[0, 1, 2].map(VertexIndex::new)],
             left_out: 0,
         };
-        let mesh = PanelShape::Mesh(PanelMesh::new(triangles));
+        let seams = Arc::new(vec![triangles.positions[..2].to_vec()]);
+        let mesh = PanelShape::Mesh(PanelMesh { seams, ..PanelMesh::new(triangles) });
         let join = PanelShape::Join(Join {
             parts: vec!["a".into(), "b".into()],
             smooth: Continuity::G0,
@@ -105,7 +113,8 @@ mod tests {
         else {
             panic!()
         };
-        assert!(Arc::ptr_eq(&a.triangles, &b.triangles));
+        assert!(Arc::ptr_eq(&a.triangles, &b.triangles) && Arc::ptr_eq(&a.seams, &b.seams));
+        assert_eq!(a.seams[0], a.triangles.positions[..2]);
         assert_eq!(
             (a.triangles.positions[2], join.within),
             (Point3::new(0.0, 14.0, 2.0), Within::Mm(6.0))

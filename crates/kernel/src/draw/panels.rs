@@ -29,7 +29,7 @@ pub enum PanelChange {
         curve: String,
     },
     /// A closed curve, with those inside it as holes, becomes a panel.
-    Panel(DesignPanel),
+    Panel(Box<DesignPanel>),
 }
 
 /// The proposed changes of the panels of a design.
@@ -52,7 +52,7 @@ impl Proposal {
         let mut changed = design.clone();
         for change in &self.changes {
             match change {
-                PanelChange::Panel(panel) => changed.panels.push(panel.clone()),
+                PanelChange::Panel(panel) => changed.panels.push((**panel).clone()),
                 PanelChange::Hole { panel, curve } => {
                     let mut panels = changed.panels.iter_mut();
                     if let Some(panel) = panels.find(|p| p.name == *panel)
@@ -283,7 +283,7 @@ pub fn panels_of_drawing(
             }
         }
     }
-    let panels = new.into_iter().map(|(n, panel)| (n, PanelChange::Panel(panel)));
+    let panels = new.into_iter().map(|(n, panel)| (n, PanelChange::Panel(Box::new(panel))));
     let mut changes: Vec<(usize, PanelChange)> = holes.into_iter().chain(panels).collect();
     changes.sort_by_key(|(n, _)| *n);
     proposal.changes = changes.into_iter().map(|(_, change)| change).collect();

@@ -15,12 +15,14 @@ use sheetwright_geometry::math::{Point3, Vec3};
 const STIFF: f64 = 4.0;
 
 /// The springs of a sheet.
+#[derive(Clone)]
 pub(super) struct Band {
     half_mm: f64,
     springs: Vec<Spring>,
 }
 
 /// A spring at an inner node.
+#[derive(Clone)]
 struct Spring {
     node: usize,
     /// Where the node began, mm.

@@ -41,12 +41,14 @@ impl Stiffness {
 pub(super) type Strain = [f64; 3];
 
 /// An element as it lies flat.
+#[derive(Clone)]
 struct Element {
     nodes: Nodes,
     at: Derivatives,
 }
 
 /// The energy of a sheet with this net, by the positions of its nodes.
+#[derive(Clone)]
 pub(super) struct Energy {
     stiffness: Stiffness,
     elements: Vec<Element>,
@@ -126,6 +128,11 @@ impl Energy {
     /// The energy, N·mm, below which a sheet is as good as not strained: strains of 1e-9.
     pub(super) fn negligible(&self) -> f64 {
         1e-18 * self.stiffness.membrane_n_per_mm * self.areas().iter().sum::<f64>()
+    }
+
+    /// A curvature of the energy, N/mm, like that of a node in the plane of the sheet.
+    pub(super) fn across_tracks(&self) -> f64 {
+        self.stiffness.membrane_n_per_mm
     }
 
     /// The larger principal curvature of every triangle, without its sign, 1/mm.

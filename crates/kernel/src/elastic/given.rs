@@ -8,26 +8,32 @@
 //! 2. A mesh with points inside its border says more of the surface than its border does. Its sheet
 //!    may leave it by as much as sheet leaves a ruled surface, and no farther.
 //! 3. The pattern of such a mesh may be fitted to its sheet, if that would need force (`fit`).
-//! 4. Where no sheet can be computed, a strip (no points inside its border) is judged by the
-//!    formula of `screen`, with the turn of its facing along its sides as the warp.
-//! 5. Where the triangles of the pattern are stretched by far more than the material takes, or by
+//! 4. A strip (no points inside its border) lies flat exactly, and its sheet is free within. If it
+//!    needs force so, and its pattern may be fitted, it is also judged like the surface that it
+//!    samples, as finer meshes of it are, and has the better of both verdicts. Either way, its
+//!    sheet begins on the smooth surface through its rails (`surface`), not on its creases.
+//! 5. Where no sheet can be computed, a strip is judged by the formula of `screen`, with the turn
+//!    of its facing along its sides as the warp.
+//! 6. Of a sheet that does not take its shape, a thinner one that does is looked for.
+//! 7. Where the triangles of the pattern are stretched by far more than the material takes, or by
 //!    more than a theory of small strains holds for, their strain decides. So it does where no
 //!    sheet can be computed, with its doubt.
 
-use super::predict::{FLAT, by_nets, stiffness_of, thickest_mm};
+use super::predict::{FLAT, NETS, by_nets, stiffness_of};
 use super::screen::by_formula;
+use super::surface::facing;
 use super::{
-    Basis, DECIDES, Elastic, ElasticError, ElasticOptions, Predicted, at_share,
-    curvature_of_surface, elastic,
+    Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Reading, Task,
+    at_rest, at_share, curvature_of_surface,
 };
 use crate::flatten::Flattened;
 use crate::material::{EASY_SHARE, Limits, Material};
 use crate::measure::{Distortion, area_flat};
-use crate::mesh::{Mesh, SCORED_CREASE_DEG, crease_angles};
-use crate::sheet::{Sheet, split_along_creases};
+use crate::mesh::{Mesh, crease_angles, scored_creases};
+use crate::sheet::{Sheet, split_at};
 use sheetwright_geometry::boundary::size_of;
-use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
-use sheetwright_geometry::math::{Vec3, angle_between, from_deg};
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::angle_between;
 use sheetwright_geometry::watch::Watch;
 use std::borrow::Cow;
 
@@ -40,6 +46,20 @@ const SMALL: f64 = 0.05;
 const BEYOND: f64 = 4.0;
 /// A mesh may take so many times the steps of a surface that was found: it is farther from rest.
 const PATIENCE: usize = 2;
+/// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
+/// the most. Who asked for a sheet eight times as thick has another one in mind.
+const HALVINGS: usize = 3;
+/// Then so many sheets between the last two are judged: the next is thicker by less than a fifth.
+const MIDDLES: usize = 2;
+/// The pattern of each of these sheets is fitted so often at the most, and until it uses no more
+/// than this share of the limit: one net may be wrong by a quarter.
+const FITS_OF_THICKEST: usize = 6;
+const CLEARLY: f64 = 0.79;
+/// Lengths are rounded to so many decimals less one at the most.
+const MOST_DECIMALS: usize = 9;
+/// A fitted pattern goes before the exact one of a strip where it leaves less than this share of
+/// the strain.
+const FAR_LESS: f64 = 2.0 / 3.0;
 /// A mesh is computed in so many pieces at the most: of more, creases are facets that are meant.
 const MOST_PIECES: usize = 64;
 
@@ -65,32 +85,217 @@ pub fn predict_given(
     let Some((folded, flat)) = folded else {
         return Some(Predicted::of_pattern(limits_at(0.0), strain));
     };
-    let curvature = curvature_of(&folded, &flat);
+    let reading = reading_of(folded.mesh());
+    let curvature = curvature_of(&folded, &flat, reading);
     let limits = limits_at(curvature);
-    let size_mm = size_of(folded.mesh().positions().iter().copied());
-    let on_border = folded.mesh().topology().on_border();
-    let band_mm = on_border.contains(&false).then_some(BAND * size_mm);
+    let given = Given {
+        sheet: &folded,
+        flat: &flat,
+        reading,
+        limits,
+        nets: &NETS,
+        enough: EASY_SHARE,
+        curvature,
+    };
     let is_one = folded.mesh().components().len() == 1;
-    let fits = if band_mm.is_some() && is_one { fits } else { 0 };
-    let mut at_rest =
-        |limits: &Limits, options: &ElasticOptions| -> Result<Elastic, ElasticError> {
-            let (most_steps, fitted) = (PATIENCE * options.most_steps, limits.strain * EASY_SHARE);
-            let options = ElasticOptions { band_mm, most_steps, fits, fitted, ..*options };
-            elastic(&folded, &flat, stiffness_of(limits, size_mm), &options, watch)
-        };
-    let predicted = by_nets(&limits, |options| at_rest(&limits, options));
-    match predicted {
+    let fits = if is_one { fits } else { 0 };
+    match given.judged(fits, watch) {
         Err(ElasticError::Stopped) => None,
-        Err(error) if band_mm.is_none() => {
-            Some(strip_by_formula(&folded, limits, curvature, error))
+        Err(error) if is_strip(given.sheet.mesh()) => {
+            Some(strip_by_formula(&folded, given.limits, curvature, error))
         }
-        Err(_) => Some(Predicted::of_pattern(limits, strain)),
+        Err(_) => Some(Predicted::of_pattern(given.limits, strain)),
         Ok(predicted) if predicted.usage_range()[0] <= 1.0 => Some(predicted),
         Ok(predicted) => {
-            let options = ElasticOptions { most_steps: 40, ..ElasticOptions::default() };
-            let thickest_mm = thickest_mm(&limits, |limits| at_rest(limits, &options));
-            Some(Predicted { thickest_mm, ..predicted })
+            let thickest_mm = given.thickest_mm(fits, watch);
+            (!watch.stop()).then_some(Predicted { thickest_mm, ..predicted })
         }
+    }
+}
+
+/// A sheet that is to be judged.
+struct Given<'a> {
+    sheet: &'a Sheet,
+    flat: &'a Flattened,
+    reading: Reading,
+    limits: Limits,
+    nets: &'a [[usize; 2]],
+    /// Its pattern is fitted until the strain is no more than this share of the limit.
+    enough: f64,
+    /// That of its surface, 1/mm.
+    curvature: f64,
+}
+
+/// How easily a sheet takes its shape, from the worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Ease {
+    Refused,
+    Unsure,
+    Yields,
+    Force,
+    Easy,
+}
+
+/// What holds a sheet besides its border.
+#[derive(Clone, Copy)]
+struct Held {
+    /// The band about its surface, mm; `None` of a sheet that is free within.
+    band_mm: Option<f64>,
+    /// How often its pattern may be fitted, and whether it is in any case.
+    fits: usize,
+    fits_anyway: bool,
+}
+
+impl Given<'_> {
+    /// The prediction for it, whose pattern may be fitted so often.
+    fn judged(&self, fits: usize, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        if is_strip(self.sheet.mesh()) {
+            self.strip(fits, watch)
+        } else {
+            self.surface(fits, false, watch)
+        }
+    }
+
+    /// A strip is free within its border, and its pattern is exact. If it would need force or yield
+    /// so, it is judged as any surface is, and is that where it then takes its shape better.
+    fn strip(&self, fits: usize, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        let held = Held { band_mm: None, fits: 0, fits_anyway: false };
+        let free = self.predicted(held, watch);
+        let is_done = match &free {
+            Ok(free) => self.is_at_best(free),
+            Err(error) => *error != ElasticError::NoRest,
+        };
+        if is_done || fits == 0 {
+            return free;
+        }
+        match (free, self.surface(fits, true, watch)) {
+            (_, Err(ElasticError::Stopped)) => Err(ElasticError::Stopped),
+            (Err(_), surface) => surface,
+            (Ok(free), Ok(surface)) if self.is_better(&surface, &free) => Ok(surface),
+            (free, _) => free,
+        }
+    }
+
+    /// How easily a sheet takes its shape.
+    fn ease(&self, predicted: &Predicted) -> Ease {
+        let [least, most] = predicted.usage_range();
+        if least > 1.0 {
+            Ease::Refused
+        } else if most > 1.0 {
+            Ease::Unsure
+        } else if self.yields_at(predicted.curvature) {
+            Ease::Yields
+        } else if predicted.usage() > EASY_SHARE {
+            Ease::Force
+        } else {
+            Ease::Easy
+        }
+    }
+
+    /// Whether it could not take its shape more easily: it bends freely, or its surface itself has
+    /// it rolled. That a twisted strip is curved so much can't be told from its creases.
+    fn is_at_best(&self, predicted: &Predicted) -> bool {
+        let is_rolled = self.yields_at(self.curvature) && !self.is_twisted();
+        let best = if is_rolled { Ease::Yields } else { Ease::Easy };
+        self.ease(predicted) >= best
+    }
+
+    /// Whether the warp of a strip alone would take force, by the formula of `screen`.
+    fn is_twisted(&self) -> bool {
+        let warp_squared = warp_squared(self.sheet.mesh());
+        let of_warp = by_formula(self.limits.clone(), 0.0, warp_squared).strain;
+        of_warp > EASY_SHARE * self.limits.strain
+    }
+
+    /// Whether one sheet takes the shape more easily than another, or as easily and strained by far
+    /// less.
+    fn is_better(&self, one: &Predicted, other: &Predicted) -> bool {
+        let [of_one, of_other] = [one, other].map(|predicted| self.ease(predicted));
+        of_one > of_other || of_one == of_other && one.strain < FAR_LESS * other.strain
+    }
+
+    fn yields_at(&self, curvature: f64) -> bool {
+        self.limits.yields.is_some_and(|most| self.limits.outer_fibre_at(curvature) > most)
+    }
+
+    /// A surface holds its sheet within a band.
+    fn surface(
+        &self,
+        fits: usize,
+        fits_anyway: bool,
+        watch: &mut dyn Watch,
+    ) -> Result<Predicted, ElasticError> {
+        let held = Held { band_mm: Some(BAND * self.size_mm()), fits, fits_anyway };
+        self.predicted(held, watch)
+    }
+
+    fn size_mm(&self) -> f64 {
+        size_of(self.sheet.mesh().positions().iter().copied())
+    }
+
+    fn predicted(&self, held: Held, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        by_nets(self.nets, &self.limits, |options, coarser| {
+            let Some(coarser) = coarser else {
+                return self.at_rest(&self.limits, held, options, None, watch);
+            };
+            // From the rest on the coarser net, a few steps lead to rest, or many to none.
+            let few = ElasticOptions { most_steps: options.most_steps / 2, ..*options };
+            match self.at_rest(&self.limits, held, &few, Some(coarser), watch) {
+                Err(ElasticError::NoRest) => self.at_rest(&self.limits, held, options, None, watch),
+                found => found,
+            }
+        })
+    }
+
+    /// The thickest sheet of its kind that is found to take the shape, mm: sheets are halved until
+    /// one does, and then it is made thicker again. Each is judged as a run in its thickness
+    /// begins: on the first net, where that run stops if the sheet takes the shape clearly, with
+    /// the fits of the pattern that it does first. Further fits only lower the strain. Thicknesses
+    /// have two digits, so that the one that is said is one that was judged.
+    fn thickest_mm(&self, fits: usize, watch: &mut dyn Watch) -> Option<f64> {
+        let fits = fits.min(FITS_OF_THICKEST);
+        let mut takes = |thickness_mm: f64| {
+            let limits = self.limits.in_thickness(thickness_mm);
+            let thinner = Given { limits, nets: &NETS[..1], enough: CLEARLY, ..*self };
+            thinner.judged(fits, watch).is_ok_and(|found| found.usage_range()[1] <= 1.0)
+        };
+        let mut refuses_mm = self.limits.thickness_mm;
+        for _ in 0..HALVINGS {
+            let half_mm = in_two_digits(0.5 * refuses_mm);
+            if !takes(half_mm) {
+                refuses_mm = half_mm;
+                continue;
+            }
+            let mut takes_mm = half_mm;
+            for _ in 0..MIDDLES {
+                let middle_mm = in_two_digits((takes_mm * refuses_mm).sqrt());
+                if middle_mm > takes_mm && takes(middle_mm) {
+                    takes_mm = middle_mm;
+                } else {
+                    refuses_mm = middle_mm;
+                }
+            }
+            return Some(takes_mm);
+        }
+        None
+    }
+
+    fn at_rest(
+        &self,
+        limits: &Limits,
+        Held { band_mm, fits, fits_anyway }: Held,
+        options: &ElasticOptions,
+        coarser: Option<&Elastic>,
+        watch: &mut dyn Watch,
+    ) -> Result<Elastic, ElasticError> {
+        let (most_steps, fitted) = (PATIENCE * options.most_steps, limits.strain * self.enough);
+        let reading = self.reading;
+        let options =
+            ElasticOptions { band_mm, most_steps, fits, fitted, fits_anyway, reading, ..*options };
+        let stiffness = stiffness_of(limits, self.size_mm());
+        let edges = Edges::default();
+        let task = Task { sheet: self.sheet, flat: self.flat, edges: &edges, coarser };
+        at_rest(&task, stiffness, &options, watch)
     }
 }
 
@@ -104,12 +309,29 @@ pub fn screen_given(
 ) -> Predicted {
     let area = area_flat(sheet, flat);
     let strain = distortion.strain_p95(sheet.mesh());
-    if sheet.mesh().topology().on_border().contains(&false) {
+    if !is_strip(sheet.mesh()) {
         return Predicted::of_pattern(Limits::of(material, area, 0.0), strain);
     }
-    let curvature = curvature_of(sheet, flat);
+    let curvature = curvature_of(sheet, flat, Reading::Smooth);
     let limits = Limits::of(material, area, curvature);
     by_formula(limits, curvature, warp_squared(sheet.mesh()))
+}
+
+/// A length in two digits, rounded down, mm; whole millimetres from 100 on.
+fn in_two_digits(mm: f64) -> f64 {
+    let scales = std::iter::successors(Some(1.0), |scale| Some(scale * 10.0));
+    let scale = scales.take(MOST_DECIMALS).find(|scale| mm * scale >= 10.0);
+    scale.map_or(mm, |scale: f64| (mm * scale * (1.0 + 1e-12)).floor() / scale)
+}
+
+/// Whether all points of a mesh lie on its border.
+fn is_strip(mesh: &Mesh) -> bool {
+    !mesh.topology().on_border().contains(&false)
+}
+
+/// The creases of a strip are none of its surface.
+fn reading_of(mesh: &Mesh) -> Reading {
+    if is_strip(mesh) { Reading::Smooth } else { Reading::Facets }
 }
 
 /// The sheet cut along the sharp creases that divide it; `None` where it falls into many pieces.
@@ -117,7 +339,8 @@ fn folded<'a>(
     sheet: &'a Sheet,
     flat: &'a Flattened,
 ) -> Option<(Cow<'a, Sheet>, Cow<'a, Flattened>)> {
-    let folded = split_along_creases(sheet.mesh(), from_deg(SCORED_CREASE_DEG)).ok()?;
+    let scored = scored_creases(sheet.mesh());
+    let folded = split_at(sheet.mesh(), |n| scored[n] > 0.0).ok()?;
     match folded.mesh().components().len() {
         1 => Some((Cow::Borrowed(sheet), Cow::Borrowed(flat))),
         pieces if pieces > MOST_PIECES => None,
@@ -132,15 +355,16 @@ fn folded<'a>(
 /// The curvature that 95 % of the area of a surface stays below, 1/mm: on a net, or by its creases
 /// where there is none. Of two triangles that meet in a crease, it turns by the angle over half of
 /// the width of both, which is their area over the length of the crease.
-fn curvature_of(sheet: &Sheet, flat: &Flattened) -> f64 {
-    curvature_of_surface(sheet, flat).unwrap_or_else(|| {
+fn curvature_of(sheet: &Sheet, flat: &Flattened, reading: Reading) -> f64 {
+    curvature_of_surface(sheet, flat, reading).unwrap_or_else(|| {
         let mesh = sheet.mesh();
         let (mut curvatures, mut areas) = (Vec::new(), Vec::new());
-        for (edge, turn) in mesh.edges().iter().zip(crease_angles(mesh)) {
+        let turns = crease_angles(mesh).into_iter().zip(scored_creases(mesh));
+        for (edge, (turn, scored)) in mesh.edges().iter().zip(turns) {
             let [Some(a), Some(b)] = edge.triangles else { continue };
             let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
             let [from, to] = edge.ends.map(|v| mesh.position(v));
-            let bent = if turn > from_deg(SCORED_CREASE_DEG) { 0.0 } else { turn };
+            let bent = if scored > 0.0 { 0.0 } else { turn };
             curvatures.push(bent * from.distance(to) / area);
             areas.push(area);
         }
@@ -162,11 +386,7 @@ fn strip_by_formula(
 /// The mean square of the warp of a strip, radians²: its facing turns by the warp from end to end
 /// of a side between two of its triangles.
 fn warp_squared(mesh: &Mesh) -> f64 {
-    let mut facing = vec![Vec3::ZERO; mesh.positions().len()];
-    for (n, corners) in mesh.triangles().iter().enumerate() {
-        let normal = mesh.area_vector(TriangleIndex::new(n));
-        corners.iter().for_each(|v| facing[v.get()] += normal);
-    }
+    let facing = facing(mesh);
     let (mut squares, mut whole) = (0.0, 0.0);
     for edge in mesh.edges() {
         let [Some(a), Some(b)] = edge.triangles else { continue };

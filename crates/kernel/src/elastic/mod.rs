@@ -9,8 +9,8 @@
 //! 2. The energy of the sheet is that of stretching and of bending (`energy`); both are exact for
 //!    large turns and small strains, which is what sheets bear.
 //! 3. The border is held: every point of it lies on the curve in space, by its length along the
-//!    outline. From the ruled surface on, Newton's method goes to the least energy (`newton`). A
-//!    place of rest that a small push would leave is left.
+//!    outline, or slides along it (`hold`). From the ruled surface on, Newton's method goes to the
+//!    least energy (`newton`). A place of rest that a small push would leave is left.
 //! 4. What comes out is the strain of every triangle and its curvature, how far the sheet lies from
 //!    the ruled surface, how stable it is, and what holds its border.
 //!
@@ -29,10 +29,13 @@
 //! several times too large.
 
 mod band;
+mod coarser;
 mod element;
 mod energy;
 mod fit;
+mod folds;
 mod given;
+mod hold;
 mod net;
 mod newton;
 mod outline;
@@ -40,16 +43,21 @@ mod places;
 mod predict;
 mod predicted;
 mod screen;
+mod surface;
 
 pub use energy::Stiffness;
 pub use given::{predict_given, screen_given};
-pub use predict::predict;
+pub use hold::Edges;
+pub use predict::{predict, predict_alone};
 pub use predicted::{Basis, Predicted};
 pub use screen::{DOUBT, screen};
+pub use surface::Reading;
 
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
+use coarser::Begin;
 use energy::{Energy, largest_principal};
+use hold::{Edge, Stretch};
 use net::Net;
 use newton::{Rest, rest};
 use outline::Outline;
@@ -57,6 +65,7 @@ use places::Places;
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3};
 use sheetwright_geometry::watch::Watch;
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// How a sheet is computed.
@@ -70,15 +79,29 @@ pub struct ElasticOptions {
     /// Of a mesh that has points inside its border: the largest distance from it, mm, at which the
     /// sheet may lie freely; it is pressed back beyond. Default: none, the border alone holds it.
     pub band_mm: Option<f64>,
-    /// How often the pattern is fitted to the sheet at rest at the most. Default: 0.
+    /// How often the pattern is fitted to the sheet at rest at the most, besides the three times
+    /// that it is first fitted to the surface itself. Default: 0.
     pub fits: usize,
     /// The pattern is fitted until the strain that decides is no more than this, without unit.
     pub fitted: f64,
+    /// Whether it is fitted in any case, however little the sheet of the given one is strained.
+    /// Default: no.
+    pub fits_anyway: bool,
+    /// How the triangles of the surface are taken. Default: they are the surface.
+    pub reading: Reading,
 }
 
 impl Default for ElasticOptions {
     fn default() -> Self {
-        Self { triangles: 350, most_steps: 60, band_mm: None, fits: 0, fitted: 0.0 }
+        Self {
+            triangles: 350,
+            most_steps: 60,
+            band_mm: None,
+            fits: 0,
+            fitted: 0.0,
+            fits_anyway: false,
+            reading: Reading::Facets,
+        }
     }
 }
 
@@ -102,9 +125,11 @@ pub struct Elastic {
     pub curvatures: Vec<f64>,
     /// The triangle of the surface below the middle of every triangle, by its number.
     pub over: Vec<usize>,
-    /// The largest distance of a node from where it lies on the ruled surface, mm; of a mesh that
-    /// has points inside its border, across the surface alone.
+    /// The largest distance of a node from where it lies on the ruled surface, mm; where its edges
+    /// slide, and of a mesh that has points inside its border, across the surface alone.
     pub distance_max_mm: f64,
+    /// How far a point of the border slides along the boundary at the most, mm; 0 where it is held.
+    pub slid_max_mm: f64,
     /// The force that holds the border across the sheet, per length, N/mm: 95 % of the border
     /// takes less. Within a factor of 1.5 of that of finer nets.
     pub load_n_per_mm: f64,
@@ -155,15 +180,63 @@ pub fn elastic(
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Elastic, ElasticError> {
+    let edges = Edges::default();
+    at_rest(&Task { sheet, flat, edges: &edges, coarser: None }, stiffness, options, watch)
+}
+
+/// The sheet at rest whose border is held as `edges` say.
+///
+/// # Errors
+/// See [`ElasticError`].
+pub fn elastic_on(
+    edges: &Edges,
+    sheet: &Sheet,
+    flat: &Flattened,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Elastic, ElasticError> {
+    at_rest(&Task { sheet, flat, edges, coarser: None }, stiffness, options, watch)
+}
+
+/// What is computed.
+struct Task<'a> {
+    /// The surface, and its pattern.
+    sheet: &'a Sheet,
+    flat: &'a Flattened,
+    /// What holds its border.
+    edges: &'a Edges,
+    /// The sheet at rest on a coarser net, to begin from.
+    coarser: Option<&'a Elastic>,
+}
+
+/// The sheet at rest.
+fn at_rest(
+    task: &Task<'_>,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Elastic, ElasticError> {
+    let Task { sheet, flat, edges, coarser } = *task;
     let outline = options.band_mm.map_or(Outline::Sampled, |_| Outline::Coarse);
-    let mut net = Net::new(sheet, flat, options.triangles, outline).ok_or(ElasticError::NoNet)?;
+    let net = Net::new(sheet, flat, edges, options.triangles, outline, options.reading);
+    let mut net = net.ok_or(ElasticError::NoNet)?;
     // The bending form takes differences of products of positions: near to the origin, few digits
     // are lost.
     let away = net.space[0].to_vec();
-    net.space.iter_mut().for_each(|p| *p += -away);
-    let Settled { energy, at_rest, moves } = settled(&mut net, stiffness, options, watch)?;
-    let Rest { positions, is_stable, steps } = at_rest;
-    let moved = positions.iter().zip(&net.space).map(|(now, before)| now.distance(*before));
+    let mut begin = coarser.map(|coarser| Begin::of(coarser, (sheet, flat, options.reading), &net));
+    let places = begin.iter_mut().flat_map(|begin| &mut begin.positions);
+    net.space.iter_mut().chain(places).for_each(|p| *p += -away);
+    let settled = match begin {
+        None => settled(&mut net, stiffness, options, watch)?,
+        Some(begin) => settled_from(begin, &mut net, stiffness, options, watch)?,
+    };
+    let Settled { energy, at_rest, moves } = settled;
+    let Rest { positions, slid_max_mm, is_stable, steps } = at_rest;
+    let moved = |n: usize| match positions[n] - net.space[n] {
+        way if slid_max_mm > 0.0 => way.dot(net.facing[n]).abs(),
+        way => way.length(),
+    };
     let bending_n_mm = energy.bending_value(&positions);
     Ok(Elastic {
         areas_mm2: energy.areas(),
@@ -171,7 +244,8 @@ pub fn elastic(
         curvatures: energy.curvatures(&positions),
         distance_max_mm: energy
             .farthest_mm(&positions)
-            .unwrap_or_else(|| moved.fold(0.0, f64::max)),
+            .unwrap_or_else(|| (0..positions.len()).map(moved).fold(0.0, f64::max)),
+        slid_max_mm,
         load_n_per_mm: load_n_per_mm(&net, &energy, &positions),
         stretching_n_mm: energy.value(&positions) - bending_n_mm - energy.band_value(&positions),
         bending_n_mm,
@@ -186,6 +260,7 @@ pub fn elastic(
 }
 
 /// A sheet at rest, and how far the pattern was moved for it at every node, mm.
+#[derive(Clone)]
 struct Settled {
     energy: Energy,
     at_rest: Rest,
@@ -218,14 +293,105 @@ impl Settled {
     }
 }
 
-/// The sheet at rest, and its pattern fitted to it as often as `options` say while strain falls.
+/// The sheet at rest. If that is strained by more than `options.fitted`, its pattern is fitted to
+/// it as often as `options` say while strain falls, from the pattern that fits the surface itself
+/// (three more fits): so the sheet is the same however the surface was divided into triangles, and
+/// laid flat. Where that comes to no rest, from the pattern as it was given.
 fn settled(
     net: &mut Net,
     stiffness: Stiffness,
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Settled, ElasticError> {
+    let as_given = net.flat.clone();
+    if options.fits_anyway {
+        return match fitted(net, stiffness, options, watch) {
+            Err(ElasticError::NoRest) => {
+                net.flat = as_given;
+                let given = Settled::new(net, stiffness, net.space.clone(), options, watch)?;
+                fitted_on(given, net, stiffness, options, watch)
+            }
+            found => found,
+        };
+    }
+    let given = Settled::new(net, stiffness, net.space.clone(), options, watch);
+    let is_to_fit = match &given {
+        Ok(now) => now.strain() > options.fitted,
+        Err(error) => *error == ElasticError::NoRest,
+    };
+    if options.fits == 0 || !is_to_fit {
+        return given;
+    }
+    let mut fitted = fitted(net, stiffness, options, watch);
+    if let (Ok(given), Err(ElasticError::NoRest)) = (&given, &fitted) {
+        net.flat.clone_from(&as_given);
+        fitted = fitted_on(given.clone(), net, stiffness, options, watch);
+    }
+    match (given, fitted) {
+        (_, Err(ElasticError::Stopped)) => Err(ElasticError::Stopped),
+        (given, Ok(fitted)) if given.as_ref().map_or(true, |g| fitted.strain() < g.strain()) => {
+            Ok(fitted)
+        }
+        (given, _) => {
+            net.flat = as_given;
+            given
+        }
+    }
+}
+
+/// The sheet at rest, from a beginning. Its pattern is fitted on where it was fitted there, and
+/// left as given where no fit helped. Where it needed none there and needs one now, all is done
+/// anew.
+fn settled_from(
+    begin: Begin,
+    net: &mut Net,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Settled, ElasticError> {
+    if begin.is_fitted {
+        net.flat = moved(&net.flat, &begin.moves, 1.0);
+        let mut now = Settled::new(net, stiffness, begin.positions, options, watch)?;
+        now.moves = begin.moves;
+        let options = ElasticOptions { fits: options.fits.min(FITS_ON), ..*options };
+        return fitted_on(now, net, stiffness, &options, watch);
+    }
+    let found = Settled::new(net, stiffness, begin.positions, options, watch)?;
+    let no_fit_helps = options.fits == 0 || begin.strain > options.fitted;
+    if no_fit_helps || found.strain() <= options.fitted {
+        return Ok(found);
+    }
+    settled(net, stiffness, options, watch)
+}
+
+/// The sheet of the pattern that fits the surface itself, then fitted to its sheet at rest again
+/// and again.
+fn fitted(
+    net: &mut Net,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Settled, ElasticError> {
+    let mut sum = vec![Vec2::ZERO; net.flat.len()];
+    for _ in 0..SURFACE_FITS {
+        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
+        let moves = fit::displacement(net, &energy, &net.space).ok_or(ElasticError::NoNet)?;
+        net.flat = moved(&net.flat, &moves, 1.0);
+        sum = added(&sum, &moves, 1.0);
+    }
     let mut now = Settled::new(net, stiffness, net.space.clone(), options, watch)?;
+    now.moves = sum;
+    fitted_on(now, net, stiffness, options, watch)
+}
+
+/// The sheet with its pattern fitted to it again and again, while strain falls.
+fn fitted_on(
+    mut now: Settled,
+    net: &mut Net,
+    stiffness: Stiffness,
+    options: &ElasticOptions,
+    watch: &mut dyn Watch,
+) -> Result<Settled, ElasticError> {
     for _ in 0..options.fits {
         let strain = now.strain();
         if strain <= options.fitted {
@@ -234,30 +400,61 @@ fn settled(
         let Some(moves) = fit::displacement(net, &now.energy, &now.at_rest.positions) else {
             break;
         };
-        let flat = net.flat.iter().zip(&moves).map(|(&p, &way)| p + way).collect();
-        let before = std::mem::replace(&mut net.flat, flat);
-        let begin = now.at_rest.positions.clone();
-        match Settled::new(net, stiffness, begin, options, watch) {
-            Err(ElasticError::Stopped) => return Err(ElasticError::Stopped),
-            Ok(mut next) if next.strain() < strain => {
-                next.moves = now.moves.iter().zip(moves).map(|(&sum, way)| sum + way).collect();
-                next.at_rest.steps += now.at_rest.steps;
-                now = next;
+        let before = net.flat.clone();
+        let mut better = None;
+        for far in FIT_STEPS {
+            net.flat = moved(&before, &moves, far);
+            let begin = now.at_rest.positions.clone();
+            match Settled::new(net, stiffness, begin, options, watch) {
+                Err(ElasticError::Stopped) => return Err(ElasticError::Stopped),
+                Ok(next) if next.strain() < strain => {
+                    better = Some((next, far));
+                    break;
+                }
+                _ => {}
             }
-            _ => {
-                net.flat = before;
-                break;
-            }
+        }
+        let Some((mut next, far)) = better else {
+            net.flat = before;
+            break;
+        };
+        next.moves = added(&now.moves, &moves, far);
+        next.at_rest.steps += now.at_rest.steps;
+        now = next;
+        if now.strain() > HARDLY_LESS * strain {
+            break;
         }
     }
     Ok(now)
 }
 
+/// Points moved so many times as far as these ways.
+fn moved(points: &[Point2], ways: &[Vec2], far: f64) -> Vec<Point2> {
+    points.iter().zip(ways).map(|(&p, &way)| p + way * far).collect()
+}
+
+/// Ways and so many times these.
+fn added(sums: &[Vec2], ways: &[Vec2], far: f64) -> Vec<Vec2> {
+    sums.iter().zip(ways).map(|(&sum, &way)| sum + way * far).collect()
+}
+
+/// The pattern is fitted to the surface itself so often: the fit is linear, and lengths that are
+/// wrong by some per cent take a second and a third one.
+const SURFACE_FITS: usize = 3;
+/// Most further fits of a pattern that a coarser net has fitted.
+const FITS_ON: usize = 3;
+/// A fit goes so many times as far as the sheet at rest asks, or else as far: pattern and sheet
+/// follow one another slowly (over-relaxation).
+const FIT_STEPS: [f64; 2] = [1.8, 1.0];
+/// Fitting ends where it leaves more than this share of the strain.
+const HARDLY_LESS: f64 = 0.99;
+
 /// The curvature that 95 % of the area of a surface stays below, 1/mm, on a net of the default
 /// size; `None` where there is no net.
-fn curvature_of_surface(sheet: &Sheet, flat: &Flattened) -> Option<f64> {
+fn curvature_of_surface(sheet: &Sheet, flat: &Flattened, reading: Reading) -> Option<f64> {
     let triangles = ElasticOptions::default().triangles;
-    let net = Net::new(sheet, flat, triangles, Outline::Coarse)?;
+    let held = Edges::default();
+    let net = Net::new(sheet, flat, &held, triangles, Outline::Coarse, reading)?;
     let energy = Energy::new(&net, Stiffness::new(1.0, 1.0, 0.3))?;
     Some(at_share(&energy.curvatures(&net.space), &energy.areas(), DECIDES))
 }
@@ -348,15 +545,19 @@ const MOST_PLACES: usize = 3;
 const DECIDES: f64 = 0.95;
 
 /// The force across the sheet that the border takes, per length: that at a corner node and half of
-/// that at the middles beside it, over half of the sides beside it.
+/// that at the middles beside it, over half of the sides beside it. What nothing holds takes none
+/// and does not count.
 fn load_n_per_mm(net: &Net, energy: &Energy, positions: &[Point3]) -> f64 {
     let slopes = energy.slopes(positions);
     let normals = net.border_normals(positions);
+    let free = net.stretches.iter().flatten().filter(|stretch| stretch.edge == Edge::IsFree);
+    let inside = |stretch: &Stretch| stretch.nodes[1..stretch.nodes.len() - 1].to_vec();
+    let free: BTreeSet<usize> = free.flat_map(inside).collect();
     let (mut loads, mut lengths) = (Vec::new(), Vec::new());
     for line in &net.border {
         let m = line.len();
         let at = |n: usize| line[n % m];
-        for n in (0..m).step_by(2) {
+        for n in (0..m).step_by(2).filter(|&n| !free.contains(&at(n))) {
             let force = slopes[at(n)] + (slopes[at(n + m - 1)] + slopes[at(n + 1)]) * 0.5;
             let way = |a: usize, b: usize| net.flat[at(a)].distance(net.flat[at(b)]);
             let length = way(n + m - 1, n) + way(n, n + 1);

@@ -6,11 +6,12 @@
 //! more of them its outline takes, the longer the needle is.
 
 use super::element::{Nodes, values};
-use super::outline::{OnBorder, Outline, divided};
-use super::places::Places;
+use super::hold::{Edges, Stretch};
+use super::outline::{Divided, OnBorder, Outline, divided};
+use super::surface::{Reading, Surface};
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
-use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};
 use spade::handles::FixedVertexHandle;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, RefinementParameters, Triangulation};
@@ -36,6 +37,8 @@ pub(super) struct Net {
     pub(super) facing: Vec<Vec3>,
     /// Whether each node lies on the border.
     pub(super) on_border: Vec<bool>,
+    /// The edges of the outline, component by component.
+    pub(super) stretches: Vec<Vec<Stretch>>,
     /// Its triangles.
     pub(super) elements: Vec<Nodes>,
     /// Its border: loops of corners and middles in turn, the net to the left.
@@ -58,8 +61,10 @@ impl Net {
     pub(super) fn new(
         sheet: &Sheet,
         flat: &Flattened,
+        held: &Edges,
         triangles: usize,
         outline: Outline,
+        reading: Reading,
     ) -> Option<Self> {
         let area = crate::measure::area_flat(sheet, flat);
         // An equilateral triangle with a side s has an area of √3/4 s².
@@ -75,27 +80,32 @@ impl Net {
             space: Vec::new(),
             facing: Vec::new(),
             on_border: Vec::new(),
+            stretches: Vec::new(),
             elements: Vec::new(),
             border: Vec::new(),
             over: Vec::new(),
         };
         for component in sheet.mesh().components() {
             let lines = component.loops.iter().map(|&n| &sheet.loops()[n]);
-            let loops: Vec<Vec<OnBorder>> =
-                lines.map(|line| divided(sheet, flat, line, side_mm, outline)).collect();
+            let loops: Vec<Divided> =
+                lines.map(|line| divided(sheet, flat, line, side_mm, outline, held)).collect();
+            let first = net.border.len();
             net.fill(&loops, area / triangles as f64, triangles)?;
+            let borders = net.border[first..].iter().zip(&loops);
+            let stretches = borders.flat_map(|(line, of)| stretches_of(line, of)).collect();
+            net.stretches.push(stretches);
         }
-        net.lay_on(sheet, flat);
+        net.lay_on(&Surface::new(sheet, flat, reading));
         Some(net)
     }
 
     /// Adds the triangles inside loops of corners and middles in turn.
-    fn fill(&mut self, loops: &[Vec<OnBorder>], area: f64, triangles: usize) -> Option<()> {
+    fn fill(&mut self, loops: &[Divided], area: f64, triangles: usize) -> Option<()> {
         let mut delaunay = ConstrainedDelaunayTriangulation::<spade::Point2<f64>>::new();
         let mut middles: BTreeMap<[usize; 2], OnBorder> = BTreeMap::new();
         let mut corners: BTreeMap<usize, OnBorder> = BTreeMap::new();
         let mut around: Vec<Vec<FixedVertexHandle>> = Vec::new();
-        for of_loop in loops {
+        for Divided { points: of_loop, .. } in loops {
             let mut handles: Vec<FixedVertexHandle> = Vec::new();
             for corner in of_loop.iter().step_by(2) {
                 let at =
@@ -166,20 +176,12 @@ impl Net {
         self.flat.len() - 1
     }
 
-    /// Lays the inner nodes on the surface: where they lie in the triangles of the sheet.
-    fn lay_on(&mut self, sheet: &Sheet, flat: &Flattened) {
-        let triangles = sheet.mesh().triangles();
-        let places = Places::new(triangles.iter().map(|t| t.map(|v| flat.points[v.get()])));
+    /// Lays the inner nodes on the surface.
+    fn lay_on(&mut self, surface: &Surface<'_>) {
         self.facing = vec![Vec3::ZERO; self.flat.len()];
         for n in 0..self.flat.len() {
             if !self.on_border[n] {
-                let (t, weights) = places.located(self.flat[n]);
-                let corners = triangles[t].map(|v| sheet.mesh().position(v).to_vec());
-                self.space[n] = Point3::from_vec(
-                    corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2],
-                );
-                let normal = sheet.mesh().area_vector(TriangleIndex::new(t));
-                self.facing[n] = unit(normal).unwrap_or(Vec3::ZERO);
+                (self.space[n], self.facing[n]) = surface.at(self.flat[n]);
             }
         }
         let middle = |nodes: &Nodes| {
@@ -187,7 +189,7 @@ impl Net {
             let sum = (0..6).map(|k| self.flat[nodes[k]].to_vec() * weights[k]);
             Point2::default() + sum.fold(sheetwright_geometry::math::Vec2::ZERO, |a, b| a + b)
         };
-        self.over = self.elements.iter().map(|nodes| places.located(middle(nodes)).0).collect();
+        self.over = self.elements.iter().map(|nodes| surface.over(middle(nodes))).collect();
     }
 
     /// The unit normal of the sheet at every corner node of the border, where the nodes lie at
@@ -223,6 +225,18 @@ impl Net {
     }
 }
 
+/// The edges of a loop of nodes, from corner to corner of the outline.
+fn stretches_of(line: &[usize], divided: &Divided) -> Vec<Stretch> {
+    let m = line.len();
+    let starts = &divided.edges;
+    let stretch = |k: usize| {
+        let (from, edge) = starts[k];
+        let to = if k + 1 < starts.len() { starts[k + 1].0 } else { starts[0].0 + m };
+        Stretch { nodes: (from..=to).map(|n| line[n % m]).collect(), edge }
+    };
+    (0..starts.len()).map(stretch).collect()
+}
+
 fn key(a: usize, b: usize) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
@@ -252,7 +266,8 @@ mod tests {
         let mesh = Mesh::new(positions, triangles).unwrap();
         let sheet = cut_along(&mesh, &Cut::new()).unwrap();
         let points = flat.iter().map(|[x, y]| Point2::new(*x, *y)).collect();
-        Net::new(&sheet, &Flattened { points, overlap: None }, 350, Outline::Sampled)
+        let (flat, held) = (Flattened { points, overlap: None }, Edges::default());
+        Net::new(&sheet, &flat, &held, 350, Outline::Sampled, Reading::Facets)
     }
 
     #[test]

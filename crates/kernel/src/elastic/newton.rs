@@ -6,9 +6,14 @@
 //! the energy falls. A place of rest at which the whole curvature is not positive is a pass, not a
 //! valley: the way down from there is the direction of the least curvature, found by inverse
 //! iteration from a fixed start, so that the same sheet always buckles the same way.
+//!
+//! A node that slides along a track (`hold`) has a direction in place of three: slopes and
+//! curvatures are projected on it, the curvature of the track times the slope across it is added,
+//! and after a step the node is put back on its track.
 
 use super::ElasticError;
 use super::energy::{Energy, Stress};
+use super::hold::{Hold, Holds, OnTrack};
 use super::net::Net;
 use sheetwright_geometry::math::sparse::{Factor, Matrix, Plan, elimination_order};
 use sheetwright_geometry::math::{Point3, Vec3};
@@ -30,14 +35,27 @@ const LEAVE: f64 = 1e-4;
 const ITERATIONS: usize = 12;
 
 /// A sheet at rest.
+#[derive(Clone)]
 pub(super) struct Rest {
     pub(super) positions: Vec<Point3>,
+    /// How far a node slid along its track at the most, mm.
+    pub(super) slid_max_mm: f64,
     pub(super) is_stable: bool,
     pub(super) steps: usize,
 }
 
-/// The free nodes, and the pairs of them that act on one another.
+/// Where the nodes lie.
+#[derive(Clone)]
+struct Placed {
+    /// In space, mm.
+    positions: Vec<Point3>,
+    /// How far along its track a node that slides lies, mm.
+    along_mm: Vec<f64>,
+}
+
+/// The nodes that move, and the pairs of them that act on one another.
 struct Free {
+    holds: Holds,
     nodes: Vec<usize>,
     number: Vec<Option<usize>>,
     pairs: BTreeMap<[usize; 2], usize>,
@@ -45,14 +63,16 @@ struct Free {
 
 impl Free {
     fn new(net: &Net, energy: &Energy) -> Self {
-        let nodes: Vec<usize> = (0..net.flat.len()).filter(|&n| !net.on_border[n]).collect();
+        let holds = Holds::new(&net.space, &net.stretches);
+        let moves = |&n: &usize| holds.of(n) != Hold::Stays;
+        let nodes: Vec<usize> = (0..net.flat.len()).filter(moves).collect();
         let mut number = vec![None; net.flat.len()];
         for (k, &n) in nodes.iter().enumerate() {
             number[n] = Some(k);
         }
         let free = energy.pairs().into_iter().filter_map(|[a, b]| Some([number[a]?, number[b]?]));
         let pairs = free.enumerate().map(|(k, pair)| (pair, k)).collect();
-        Self { nodes, number, pairs }
+        Self { holds, nodes, number, pairs }
     }
 
     fn plan(&self) -> Result<Plan<3>, ElasticError> {
@@ -63,24 +83,57 @@ impl Free {
         Plan::new(&order, &pairs).map_err(too_large)
     }
 
-    /// The curvatures of the energy by the free nodes, with a multiple of one added.
+    /// The places of the nodes that slide on their tracks; `None` of those that move freely.
+    fn on_tracks(&self, placed: &Placed) -> Vec<Option<OnTrack>> {
+        let on_track = |&n: &usize| match self.holds.of(n) {
+            Hold::Slides { track, .. } => Some(self.holds.place(track, placed.along_mm[n])),
+            _ => None,
+        };
+        self.nodes.iter().map(on_track).collect()
+    }
+
+    /// The ways in which the energy falls, by the nodes.
+    fn down(&self, energy: &Energy, placed: &Placed) -> Vec<[f64; 3]> {
+        let slopes = energy.slopes(&placed.positions);
+        let mut down: Vec<[f64; 3]> = self.nodes.iter().map(|&n| (-slopes[n]).to_array()).collect();
+        self.project(placed, &mut down);
+        down
+    }
+
+    /// Leaves of these ways what lies along tracks.
+    fn project(&self, placed: &Placed, ways: &mut [[f64; 3]]) {
+        for (way, on_track) in ways.iter_mut().zip(self.on_tracks(placed)) {
+            if let Some(on_track) = on_track {
+                let unit = on_track.along / on_track.along.length();
+                let [x, y, z] = *way;
+                *way = (unit * Vec3::new(x, y, z).dot(unit)).to_array();
+            }
+        }
+    }
+
+    /// The curvatures of the energy by the nodes, with a multiple of one added.
     fn matrix<'a>(
         &self,
         plan: &'a Plan<3>,
         energy: &Energy,
-        positions: &[Point3],
+        placed: &Placed,
         stress: Stress,
         shift: f64,
     ) -> Matrix<'a, 3> {
+        let on_tracks = self.on_tracks(placed);
+        let projection = |k: usize| on_tracks[k].map(|on_track| Projection::on(on_track.along));
         let mut matrix = plan.zero();
-        energy.curvature_blocks(positions, stress, |[a, b], block| {
+        energy.curvature_blocks(&placed.positions, stress, |[a, b], block| {
             let (Some(a), Some(b)) = (self.number[a], self.number[b]) else { return };
+            let block = projection(a).map_or(block, |projection| projection.rows(block));
+            let block = projection(b).map_or(block, |projection| projection.columns(block));
             if a == b {
                 matrix.add_diagonal(a, block);
             } else if let Some(&pair) = self.pairs.get(&[a, b]) {
                 matrix.add_pair(pair, block);
             }
         });
+        self.add_tracks(&mut matrix, energy, placed, stress, &on_tracks);
         if shift != 0.0 {
             let one =
                 std::array::from_fn(|r| std::array::from_fn(|c| if r == c { shift } else { 0.0 }));
@@ -89,12 +142,84 @@ impl Free {
         matrix
     }
 
-    fn moved(&self, positions: &[Point3], step: &[[f64; 3]], share: f64) -> Vec<Point3> {
-        let mut moved = positions.to_vec();
+    /// Adds how the slope across the tracks grows with their curvature, and one across them, where
+    /// nothing moves.
+    fn add_tracks(
+        &self,
+        matrix: &mut Matrix<'_, 3>,
+        energy: &Energy,
+        placed: &Placed,
+        stress: Stress,
+        on_tracks: &[Option<OnTrack>],
+    ) {
+        if on_tracks.iter().all(Option::is_none) {
+            return;
+        }
+        let slopes = energy.slopes(&placed.positions);
+        let across = energy.across_tracks();
+        for (k, &n) in self.nodes.iter().enumerate() {
+            let Some(on_track) = on_tracks[k] else { continue };
+            let speed = on_track.along.length();
+            let bends = slopes[n].dot(on_track.turn) / (speed * speed);
+            let bends = if stress == Stress::Whole { bends } else { bends.max(0.0) };
+            let [x, y, z] = (on_track.along / speed).to_array();
+            let unit = [x, y, z];
+            matrix.add_diagonal(
+                k,
+                std::array::from_fn(|r| {
+                    std::array::from_fn(|c| {
+                        let one = if r == c { across } else { 0.0 };
+                        one + (bends - across) * unit[r] * unit[c]
+                    })
+                }),
+            );
+        }
+    }
+
+    fn rest(&self, placed: Placed, is_stable: bool, steps: usize) -> Rest {
+        let begin_mm = self.holds.begin_mm();
+        let slid = placed.along_mm.iter().zip(begin_mm).map(|(now, begin)| (now - begin).abs());
+        let slid_max_mm = slid.fold(0.0, f64::max);
+        Rest { positions: placed.positions, slid_max_mm, is_stable, steps }
+    }
+
+    fn moved(&self, placed: &Placed, step: &[[f64; 3]], share: f64) -> Placed {
+        let mut moved = placed.clone();
         for (&n, &[x, y, z]) in self.nodes.iter().zip(step) {
-            moved[n] += Vec3::new(x, y, z) * share;
+            let way = Vec3::new(x, y, z) * share;
+            if let Hold::Slides { track, .. } = self.holds.of(n) {
+                let along = self.holds.place(track, placed.along_mm[n]).along;
+                moved.along_mm[n] += way.dot(along) / along.length_squared();
+                moved.positions[n] = self.holds.place(track, moved.along_mm[n]).at;
+            } else {
+                moved.positions[n] += way;
+            }
         }
         moved
+    }
+}
+
+/// What leaves of a move its part along a direction.
+struct Projection {
+    unit: [f64; 3],
+}
+
+impl Projection {
+    fn on(along: Vec3) -> Self {
+        Self { unit: (along / along.length()).to_array() }
+    }
+
+    fn columns(&self, block: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+        block.map(|row| {
+            let along: f64 = row.iter().zip(self.unit).map(|(x, u)| x * u).sum();
+            self.unit.map(|u| along * u)
+        })
+    }
+
+    fn rows(&self, block: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+        let along: [f64; 3] =
+            std::array::from_fn(|c| (0..3).map(|r| self.unit[r] * block[r][c]).sum());
+        self.unit.map(|u| along.map(|x| x * u))
     }
 }
 
@@ -107,9 +232,9 @@ pub(super) fn rest(
     watch: &mut dyn Watch,
 ) -> Result<Rest, ElasticError> {
     let free = Free::new(net, energy);
-    let mut positions = begin;
+    let mut placed = Placed { positions: begin, along_mm: free.holds.begin_mm() };
     if free.nodes.is_empty() {
-        return Ok(Rest { positions, is_stable: true, steps: 0 });
+        return Ok(free.rest(placed, true, 0));
     }
     let plan = free.plan()?;
     let size = sheetwright_geometry::boundary::size_of(net.space.iter().copied());
@@ -124,10 +249,9 @@ pub(super) fn rest(
             return Err(ElasticError::NoRest);
         }
         steps += 1;
-        let slopes = energy.slopes(&positions);
-        let down: Vec<[f64; 3]> = free.nodes.iter().map(|&n| (-slopes[n]).to_array()).collect();
+        let down = free.down(energy, &placed);
         let factor_of = |stress: Stress| {
-            free.matrix(&plan, energy, &positions, stress, 0.0).factor().map_err(too_large)
+            free.matrix(&plan, energy, &placed, stress, 0.0).factor().map_err(too_large)
         };
         let of_whole = if whole { factor_of(Stress::Whole)? } else { None };
         let is_whole = of_whole.is_some();
@@ -137,10 +261,10 @@ pub(super) fn rest(
         };
         let [step] = factor.solve([&down]);
         let fall = product(&down, &step);
-        let value = energy.value(&positions);
+        let value = energy.value(&placed.positions);
         if fall <= AT_REST * value.abs() + energy.negligible() {
             if is_whole {
-                return Ok(Rest { positions, is_stable: true, steps });
+                return Ok(free.rest(placed, true, steps));
             }
             if !whole {
                 whole = true;
@@ -148,17 +272,17 @@ pub(super) fn rest(
             }
             // A pass: out along the direction of the least curvature.
             if passes == MOST_PASSES {
-                return Ok(Rest { positions, is_stable: false, steps });
+                return Ok(free.rest(placed, false, steps));
             }
             passes += 1;
-            positions = beyond_pass(&free, &plan, energy, &positions, LEAVE * size)?;
+            placed = beyond_pass(&free, &plan, energy, &placed, LEAVE * size)?;
             continue;
         }
         let mut share = 1.0;
         let mut next = None;
         for _ in 0..MOST_HALVINGS {
-            let tried = free.moved(&positions, &step, share);
-            let now = energy.value(&tried);
+            let tried = free.moved(&placed, &step, share);
+            let now = energy.value(&tried.positions);
             if now.is_finite() && now <= value - TRUE_SHARE * share * fall {
                 next = Some(tried);
                 break;
@@ -168,33 +292,33 @@ pub(super) fn rest(
         // Where nothing falls any more, rounding is all there is.
         let Some(next) = next else {
             if is_whole || passes == MOST_PASSES {
-                return Ok(Rest { positions, is_stable: is_whole, steps });
+                return Ok(free.rest(placed, is_whole, steps));
             }
             whole = true;
             passes += 1;
-            positions = beyond_pass(&free, &plan, energy, &positions, LEAVE * size)?;
+            placed = beyond_pass(&free, &plan, energy, &placed, LEAVE * size)?;
             continue;
         };
-        positions = next;
+        placed = next;
         // The whole curvature is tried as soon as steps are long.
         whole = whole || share == 1.0;
     }
 }
 
-/// The positions a little way down from a pass.
+/// The places a little way down from a pass.
 fn beyond_pass(
     free: &Free,
     plan: &Plan<3>,
     energy: &Energy,
-    positions: &[Point3],
+    placed: &Placed,
     far_mm: f64,
-) -> Result<Vec<Point3>, ElasticError> {
+) -> Result<Placed, ElasticError> {
     let too_large = |_| ElasticError::TooLarge;
-    let whole = free.matrix(plan, energy, positions, Stress::Whole, 0.0);
+    let whole = free.matrix(plan, energy, placed, Stress::Whole, 0.0);
     // The least shift, by powers of four, that makes the curvature positive.
     let mut shift = 1e-10 * whole.diagonal_max();
     let factor: Factor<'_, 3> = loop {
-        let shifted = free.matrix(plan, energy, positions, Stress::Whole, shift);
+        let shifted = free.matrix(plan, energy, placed, Stress::Whole, shift);
         if let Some(factor) = shifted.factor().map_err(too_large)? {
             break factor;
         }
@@ -208,15 +332,16 @@ fn beyond_pass(
         [1.0 + share, 0.7 - share * share, 0.4 + 0.5 * share]
     };
     let mut way: Vec<[f64; 3]> = (0..free.nodes.len()).map(start).collect();
+    free.project(placed, &mut way);
     for _ in 0..ITERATIONS {
         let [next] = factor.solve([&way]);
         let length = product(&next, &next).sqrt();
         way = next.into_iter().map(|v| v.map(|x| x / length)).collect();
     }
     let most = way.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let both = [far_mm / most, -far_mm / most].map(|share| free.moved(positions, &way, share));
+    let both = [far_mm / most, -far_mm / most].map(|share| free.moved(placed, &way, share));
     let [one, other] = both;
-    Ok(if energy.value(&other) < energy.value(&one) { other } else { one })
+    Ok(if energy.value(&other.positions) < energy.value(&one.positions) { other } else { one })
 }
 
 fn product(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {

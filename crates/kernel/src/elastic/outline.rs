@@ -5,6 +5,7 @@
 //! smaller than those of the net. There a corner is where the border turns over the length of half
 //! a side of the net, and between corners the net cuts across the zigzags, flat and in space alike.
 
+use super::hold::{Edge, Edges};
 use crate::flatten::Flattened;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
@@ -34,33 +35,47 @@ pub(super) struct OnBorder {
     pub(super) space: Point3,
 }
 
+/// A loop of the border as corners and middles in turn.
+pub(super) struct Divided {
+    pub(super) points: Vec<OnBorder>,
+    /// Where an edge of the outline begins: at which point, and what holds it.
+    pub(super) edges: Vec<(usize, Edge)>,
+}
+
 /// A loop of the border as corners and middles in turn, about `side_mm` from corner to corner, with
-/// one wherever the outline turns sharply. Both lie on the outline, by its length.
+/// one wherever the outline turns sharply, or is held in another way. All lie on the outline, by
+/// its length.
 pub(super) fn divided(
     sheet: &Sheet,
     flat: &Flattened,
     line: &[VertexIndex],
     side_mm: f64,
     outline: Outline,
-) -> Vec<OnBorder> {
+    held: &Edges,
+) -> Divided {
     let point =
         |v: VertexIndex| OnBorder { flat: flat.points[v.get()], space: sheet.mesh().position(v) };
     let m = line.len();
     let at = |n: usize| point(line[n % m]);
     let mut corners = match outline {
-        Outline::Sampled => (0..m).filter(|&n| turns(|k| at(k).flat, n, m)).collect(),
+        Outline::Sampled => {
+            let edge = |n: usize| held.of([line[n % m], line[(n + 1) % m]]);
+            let is_corner = |&n: &usize| turns(|k| at(k).flat, n, m) || edge(n + m - 1) != edge(n);
+            (0..m).filter(is_corner).collect()
+        }
         Outline::Coarse => coarse_corners(&(0..m).map(|n| at(n).flat).collect::<Vec<_>>(), side_mm),
     };
     let least = LEAST_ON_LOOP.div_ceil(corners.len().max(1));
     if corners.is_empty() {
         corners.push(0);
     }
-    let mut found = Vec::new();
+    let mut divided = Divided { points: Vec::new(), edges: Vec::new() };
     for (k, &from) in corners.iter().enumerate() {
         let to = if k + 1 < corners.len() { corners[k + 1] } else { corners[0] + m };
         let lengths: Vec<f64> = (from..to).map(|n| at(n).flat.distance(at(n + 1).flat)).collect();
         let whole: f64 = lengths.iter().sum();
         let count = ((whole / side_mm).round() as usize).max(least).max(1);
+        divided.edges.push((divided.points.len(), held.of([line[from], line[(from + 1) % m]])));
         let mut walked = 0.0;
         let mut n = 0;
         for step in 0..2 * count {
@@ -71,13 +86,13 @@ pub(super) fn divided(
             }
             let share = ((wanted - walked) / lengths[n]).clamp(0.0, 1.0);
             let (a, b) = (at(from + n), at(from + n + 1));
-            found.push(OnBorder {
+            divided.points.push(OnBorder {
                 flat: a.flat.lerp(b.flat, share),
                 space: a.space.lerp(b.space, share),
             });
         }
     }
-    found
+    divided
 }
 
 /// Whether a loop of `m` points turns sharply at one of them.

@@ -11,8 +11,10 @@
 //! 5. A sheet whose pattern overlaps itself has no net; it is computed in pieces.
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
-use super::elastic;
-use super::{Basis, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness};
+use super::folds::{Border, folds};
+use super::{
+    Basis, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, elastic_on,
+};
 use crate::flatten::Flattened;
 use crate::material::Limits;
 use crate::measure::Measures;
@@ -20,17 +22,16 @@ use crate::mesh::Cut;
 use crate::sheet::{Sheet, cut_along};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Vec2, angle_between, atan2, to_deg};
+use sheetwright_geometry::math::{Vec2, angle_between};
 use sheetwright_geometry::watch::Watch;
 
 /// The nets: about how many triangles each has, and how many steps it may take at the most. A finer
 /// one is asked only while the limit lies in the range that the strain may have.
-const NETS: [[usize; 2]; 3] = [[350, 40], [800, 30], [1600, 24]];
+pub(super) const NETS: [[usize; 2]; 3] = [[350, 40], [800, 30], [1600, 24]];
+/// So many of them are asked for a sheet that only counts if it takes its shape clearly.
+const FEW_NETS: usize = 2;
 /// Angles up to it, radians, are rounding: the sheet is flat.
 pub(super) const FLAT: f64 = 1e-9;
-/// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
-/// degrees.
-const KINK_DEG: f64 = 5.0;
 /// Sheet is computed as if it were at least so thick, as a share of its size: rounding hides the
 /// stiffness of thinner sheet, which bends no worse.
 const THINNEST: f64 = 1e-5;
@@ -44,97 +45,95 @@ const THINNEST_SHARE: f64 = 1.0 / 64.0;
 const THICKNESS_STEP: f64 = 1.15;
 
 /// Predicts the strain of a sheet whose surface was found, and the folds that it needs, where a
-/// formula has `screened` it. `None` where the watcher asks to stop.
+/// formula has `screened` it, and whose border is held as `edges` say. `None` where the watcher
+/// asks to stop.
 pub fn predict(
+    sheet: &Sheet,
+    flat: &Flattened,
+    edges: &Edges,
+    measures: &Measures,
+    screened: &Predicted,
+    watch: &mut dyn Watch,
+) -> Option<Predicted> {
+    let judge = Judge { sheet, flat, edges, measures, limits: &screened.limits, nets: &NETS };
+    let predicted = judge.judged(screened, watch)?;
+    if takes(&predicted) || predicted.basis != Basis::Computed {
+        return (!watch.stop()).then_some(predicted);
+    }
+    let options = ElasticOptions::default();
+    let at_rest = |l: &Limits| judge.at_rest(l, &predicted.scored, &options, watch);
+    let thickest_mm = thickest_mm(&screened.limits, at_rest);
+    // What does not take the shape at all shows every fold.
+    let scored = judge.folds(|_| true);
+    (!watch.stop()).then_some(Predicted { thickest_mm, scored, ..predicted })
+}
+
+/// Predicts it as [`predict`] does where the limit is not near: on two nets at the most, and
+/// without the thickest sheet that takes the shape; its border is held. `None` where the watcher
+/// asks to stop.
+pub fn predict_alone(
     sheet: &Sheet,
     flat: &Flattened,
     measures: &Measures,
     screened: &Predicted,
     watch: &mut dyn Watch,
 ) -> Option<Predicted> {
-    let limits = &screened.limits;
-    if measures.warp_max <= FLAT && measures.crease_max <= FLAT {
-        return Some(Predicted::flat(limits.clone()));
-    }
-    let judge = Judge { sheet, flat, measures, limits };
-    let folds = judge.folds(|_| true);
-    let needed = judge.folds(|rung| judge.is_demanded(rung));
-    let mut predicted = judge.best(&needed, watch);
-    let unsmoothed = predicted.as_ref().map_or(Vec::new(), |found| judge.unsmoothed(found));
-    if !unsmoothed.is_empty() {
-        let all = judge.folds(|rung| needed.contains(&rung) || unsmoothed.contains(&rung));
-        predicted = judge.best(&all, watch);
-    }
-    let takes =
-        |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(|p| p.usage_range()[0] <= 1.0);
-    let has_more = |p: &Predicted| p.scored.len() < folds.len();
-    if !takes(&predicted) && predicted.as_ref().is_ok_and(has_more) {
-        let folded = judge.best(&folds, watch);
-        if takes(&folded) || folded == Err(ElasticError::Stopped) {
-            predicted = folded;
-        }
-    }
-    let is_taken = takes(&predicted);
-    let predicted = match predicted {
-        Err(ElasticError::Stopped) => return None,
-        Err(error) => {
-            let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
-            Predicted { basis, ..screened.clone() }
-        }
-        Ok(predicted) if is_taken => predicted,
-        Ok(predicted) => {
-            // What does not take the shape at all shows every fold.
-            let options = ElasticOptions::default();
-            let at_rest = |l: &Limits| judge.at_rest(l, &predicted.scored, &options, watch);
-            let thickest_mm = thickest_mm(limits, at_rest);
-            Predicted { thickest_mm, scored: folds, ..predicted }
-        }
-    };
-    (!watch.stop()).then_some(predicted)
+    let nets = &NETS[..FEW_NETS];
+    let (edges, limits) = (&Edges::default(), &screened.limits);
+    let judge = Judge { sheet, flat, edges, measures, limits, nets };
+    judge.judged(screened, watch).filter(|_| !watch.stop())
+}
+
+/// Whether a sheet takes its shape, as far as can be told.
+fn takes(predicted: &Predicted) -> bool {
+    predicted.usage_range()[0] <= 1.0
 }
 
 struct Judge<'a> {
     sheet: &'a Sheet,
     flat: &'a Flattened,
+    edges: &'a Edges,
     measures: &'a Measures,
     limits: &'a Limits,
+    nets: &'a [[usize; 2]],
 }
 
 impl Judge<'_> {
-    /// The folds for which `is_so`, by their rungs, but for those that are cut.
+    /// The prediction, with the folds that the sheet needs. `None` where the watcher asks to stop.
+    fn judged(&self, screened: &Predicted, watch: &mut dyn Watch) -> Option<Predicted> {
+        let Self { sheet, flat, measures, limits, .. } = *self;
+        if measures.warp_max <= FLAT && measures.crease_max <= FLAT {
+            return Some(Predicted::flat(limits.clone()));
+        }
+        let folds = self.folds(|_| true);
+        let border = Border::new(sheet, flat);
+        let needed = self.folds(|rung| border.demands(rung));
+        let mut predicted = self.best(&needed, watch);
+        let unsmoothed = predicted.as_ref().map_or(Vec::new(), |found| self.unsmoothed(found));
+        if !unsmoothed.is_empty() {
+            let all = self.folds(|rung| needed.contains(&rung) || unsmoothed.contains(&rung));
+            predicted = self.best(&all, watch);
+        }
+        let is_taken = |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(takes);
+        let has_more = |p: &Predicted| p.scored.len() < folds.len();
+        if !is_taken(&predicted) && predicted.as_ref().is_ok_and(has_more) {
+            let folded = self.best(&folds, watch);
+            if is_taken(&folded) || folded == Err(ElasticError::Stopped) {
+                predicted = folded;
+            }
+        }
+        match predicted {
+            Err(ElasticError::Stopped) => None,
+            Err(error) => {
+                let basis = if error == ElasticError::NoNet { Basis::NoNet } else { Basis::NoRest };
+                Some(Predicted { basis, ..screened.clone() })
+            }
+            Ok(predicted) => Some(predicted),
+        }
+    }
+
     fn folds(&self, is_so: impl Fn(usize) -> bool) -> Vec<usize> {
-        let is_fold = |n: &usize| self.measures.rungs[*n].is_fold && is_so(*n);
-        (0..self.measures.rungs.len()).filter(is_fold).collect()
-    }
-
-    /// Whether the boundary has the fold, at one of its ends at least: there the boundary turns in
-    /// space by another angle than on the pattern, and by far more so than at the samples beside
-    /// it. No smooth sheet does that.
-    fn is_demanded(&self, rung: usize) -> bool {
-        let ends = self.sheet.rung_ends()[rung];
-        ends.into_iter().any(|end| {
-            let [before, here, after] = [-1, 0, 1].map(|step| self.kink(end, step));
-            here > KINK_DEG && here > 2.0 * (before + after)
-        })
-    }
-
-    /// By how much the border turns in space more or less than on the pattern, degrees, at a vertex
-    /// so many steps after another.
-    fn kink(&self, from: VertexIndex, steps: isize) -> f64 {
-        let (sheet, flat) = (self.sheet, self.flat);
-        let of_loop = sheet.loops().iter().find_map(|line| {
-            line.iter().position(|&v| v == from).map(|at| (line, at as isize + steps))
-        });
-        let Some((line, at)) = of_loop else { return 0.0 };
-        let vertex = |n: isize| line[n.rem_euclid(line.len() as isize) as usize];
-        let [a, b, c] = [at - 1, at, at + 1].map(vertex);
-        let space = |v: VertexIndex| sheet.mesh().position(v);
-        let point = |v: VertexIndex| flat.points[v.get()];
-        let in_space = angle_between(space(b) - space(a), space(c) - space(b));
-        let (came, goes) = (point(b) - point(a), point(c) - point(b));
-        let on_pattern = came.perp_dot(goes).abs();
-        let on_pattern = atan2(on_pattern, came.dot(goes));
-        to_deg((in_space - on_pattern).abs())
+        folds(self.measures, is_so)
     }
 
     /// The folds that the sheet at rest has not smoothed: it turns by more than half of their angle
@@ -173,8 +172,10 @@ impl Judge<'_> {
         scored: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
-        let predicted =
-            by_nets(self.limits, |options| self.at_rest(self.limits, scored, options, watch))?;
+        let at_rest = |options: &ElasticOptions, _: Option<&Elastic>| {
+            self.at_rest(self.limits, scored, options, watch)
+        };
+        let predicted = by_nets(self.nets, self.limits, at_rest)?;
         Ok(Predicted { scored: scored.to_vec(), ..predicted })
     }
 
@@ -207,11 +208,11 @@ impl Judge<'_> {
         options: &ElasticOptions,
         watch: &mut dyn Watch,
     ) -> Result<Elastic, ElasticError> {
-        let Self { sheet, flat, .. } = *self;
+        let Self { sheet, flat, edges, .. } = *self;
         let size_mm = size_of(sheet.mesh().positions().iter().copied());
         let stiffness = stiffness_of(limits, size_mm);
         if scored.is_empty() {
-            return elastic(sheet, flat, stiffness, options, watch);
+            return elastic_on(edges, sheet, flat, stiffness, options, watch);
         }
         let ends = scored.iter().map(|&n| sheet.rung_ends()[n]);
         let topology = sheet.mesh().topology();
@@ -219,20 +220,23 @@ impl Judge<'_> {
         let cut = cut_along(sheet.mesh(), &cut).map_err(|_| ElasticError::NoNet)?;
         let vertices = (0..cut.mesh().positions().len()).map(VertexIndex::new);
         let points = vertices.map(|v| flat.points[cut.origin(v).get()]).collect();
-        elastic(&cut, &Flattened { points, overlap: None }, stiffness, options, watch)
+        let (edges, flat) = (edges.of_cut(&cut), Flattened { points, overlap: None });
+        elastic_on(&edges, &cut, &flat, stiffness, options, watch)
     }
 }
 
 /// The prediction for a sheet by one net, or by finer ones as well while the limit lies in the
-/// range that its strain may have.
+/// range that its strain may have. Each is asked with the sheet on the one before.
 pub(super) fn by_nets(
+    nets: &[[usize; 2]],
     limits: &Limits,
-    mut at_rest: impl FnMut(&ElasticOptions) -> Result<Elastic, ElasticError>,
+    mut at_rest: impl FnMut(&ElasticOptions, Option<&Elastic>) -> Result<Elastic, ElasticError>,
 ) -> Result<Predicted, ElasticError> {
     let mut predicted: Option<Predicted> = None;
-    for [triangles, most_steps] in NETS {
+    for &[triangles, most_steps] in nets {
         let options = ElasticOptions { triangles, most_steps, ..ElasticOptions::default() };
-        let at_rest = match at_rest(&options) {
+        let coarser = predicted.as_ref().and_then(|coarser| coarser.at_rest.as_ref());
+        let at_rest = match at_rest(&options, coarser) {
             Ok(at_rest) => at_rest,
             Err(ElasticError::NoNet | ElasticError::NoRest) if predicted.is_some() => break,
             Err(error) => return Err(error),
@@ -252,7 +256,7 @@ pub(super) fn by_nets(
 
 /// The thickest sheet of its kind that takes the shape, mm: as thick as some that does, and by less
 /// than 15 % thinner than some that does not.
-pub(super) fn thickest_mm(
+fn thickest_mm(
     limits: &Limits,
     mut at_rest: impl FnMut(&Limits) -> Result<Elastic, ElasticError>,
 ) -> Option<f64> {
@@ -261,10 +265,12 @@ pub(super) fn thickest_mm(
         let limits = limits.in_thickness(thickness_mm);
         at_rest(&limits).is_ok_and(|s| limits.use_of(s.strain(), s.curvature()) <= 1.0)
     };
-    let (mut takes_mm, mut refuses_mm) = (THINNEST_SHARE * whole, whole);
-    if !takes(takes_mm) {
-        return None;
-    }
+    let thinnest = THINNEST_SHARE * whole;
+    takes(thinnest).then(|| between(thinnest, whole, takes))
+}
+
+/// The thickest sheet that takes the shape, between one that does and one that does not, mm.
+fn between(mut takes_mm: f64, mut refuses_mm: f64, mut takes: impl FnMut(f64) -> bool) -> f64 {
     while refuses_mm / takes_mm > THICKNESS_STEP {
         let middle = (takes_mm * refuses_mm).sqrt();
         if takes(middle) {
@@ -273,7 +279,7 @@ pub(super) fn thickest_mm(
             refuses_mm = middle;
         }
     }
-    Some(takes_mm)
+    takes_mm
 }
 
 /// The stiffness of a sheet of this size, mm. Without a modulus, strains are those of any other:

@@ -128,6 +128,12 @@ impl Predicted {
         self.at_rest.as_ref().map(|sheet| sheet.distance_max_mm).or(is_flat.then_some(0.0))
     }
 
+    /// How far the edges of the sheet slide along the boundary at the most, mm; `None` where they
+    /// are held, or where no sheet was computed.
+    pub fn slide_mm(&self) -> Option<f64> {
+        self.at_rest.as_ref().map(|sheet| sheet.slid_max_mm).filter(|mm| *mm > 0.0)
+    }
+
     /// The moment that holds an edge, per length, N (N·m/m): the bending stiffness times the
     /// curvature. `None` where Young's modulus is unknown.
     pub fn hold_moment_n(&self) -> Option<f64> {

@@ -1,8 +1,11 @@
 //! Laying a surface flat.
 
+mod beside;
 mod choose;
 mod close;
+mod face;
 mod lay;
+mod motion;
 mod opened;
 mod pose;
 mod refold;
@@ -14,6 +17,9 @@ pub use lay::lay_flat;
 pub use refold::{RefoldError, refold};
 pub use relax::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_lengths};
 
+pub(crate) use beside::{Beside, shares};
+pub(crate) use face::{LaidFace, laid_face};
+pub(crate) use motion::Motion;
 pub(crate) use pose::{convex_hull, fits_in, long_side, posed};
 pub(crate) use relax::{conformal_scales, laid_at, triangle_stretches};
 pub use unfold::unfold;

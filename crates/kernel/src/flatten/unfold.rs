@@ -1,42 +1,42 @@
-//! Exact unfolding of a mesh that lies flat without stretching: triangle is laid beside triangle.
+//! Unfolding of a mesh of flat faces, as the pieces of nets are: face is laid beside face.
 //!
-//! Unlike a surface that was found, such a mesh may have interior vertices, round which the angles
-//! make a full turn, and holes. From the triangle in the middle of the mesh, counted in sides, its
-//! neighbours are laid, and so on outwards; a vertex stays where it is laid first. Where angles do
-//! not make a full turn, lengths differ by what is missing: measures show it.
+//! Each face is laid in its plane first (`face`). From the one in the middle of the mesh, counted
+//! in sides of triangles, its neighbours are laid, and so on outwards; a vertex stays where it is
+//! laid first, and a face is laid as near as can be to those of its vertices that are there
+//! already. Where faces are flat but for rounding, lengths differ by that: measures show it.
 
+use super::face::laid_face;
+use super::motion::Motion;
 use super::pose::posed;
 use super::relax::overlap;
-use super::unroll::beside;
 use super::{FlattenError, Flattened};
 use crate::mesh::Mesh;
-use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use sheetwright_geometry::index::TriangleIndex;
 use sheetwright_geometry::math::Point2;
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
-/// Lays a mesh of one piece flat, whose lengths can all be kept.
+/// Lays a mesh of one piece flat, each of whose triangles is of the flat face of that number; ways
+/// round vertices and holes have to close.
 ///
 /// # Errors
-/// [`FlattenError::Pieces`] and [`FlattenError::NoTriangle`].
-pub fn unfold(mesh: &Mesh) -> Result<Flattened, FlattenError> {
+/// [`FlattenError::Pieces`].
+pub fn unfold(mesh: &Mesh, faces: &[usize]) -> Result<Flattened, FlattenError> {
+    let mut triangles: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (n, &face) in faces.iter().enumerate() {
+        triangles.entry(face).or_default().push(n);
+    }
     let mut points: Vec<Option<Point2>> = vec![None; mesh.positions().len()];
-    let length = |a: VertexIndex, b: VertexIndex| mesh.position(a).distance(mesh.position(b));
-    for (triangle, entered_by) in order(mesh, middle(mesh)) {
-        let corners = mesh.triangles()[triangle];
-        // Turned so that the side that is already laid comes first.
-        let k = entered_by.unwrap_or(0);
-        let [a, b, c] = [0, 1, 2].map(|n| corners[(k + n) % 3]);
-        if entered_by.is_none() {
-            points[a.get()] = Some(Point2::default());
-            points[b.get()] = Some(Point2::new(length(a, b), 0.0));
-        }
-        let (Some(at_a), Some(at_b)) = (points[a.get()], points[b.get()]) else {
-            return Err(FlattenError::Pieces);
+    for (triangle, _) in order(mesh, middle(mesh)) {
+        // None is left of a face that is laid.
+        let Some(face) = faces.get(triangle).and_then(|face| triangles.remove(face)) else {
+            continue;
         };
-        if points[c.get()].is_none() {
-            let laid = beside(at_a, at_b, length(a, b), length(a, c), length(b, c));
-            let triangle = TriangleIndex::new(triangle);
-            points[c.get()] = Some(laid.ok_or(FlattenError::NoTriangle { triangle })?);
+        let face = laid_face(mesh, &face, faces);
+        let known = face.vertices.iter().zip(&face.points);
+        let known = known.filter_map(|(v, &p)| Some([p, points[v.get()]?]));
+        let motion = Motion::laying(&known.collect::<Vec<_>>());
+        for (v, &p) in face.vertices.iter().zip(&face.points) {
+            points[v.get()].get_or_insert(motion.moved(p));
         }
     }
     let points: Option<Vec<Point2>> = points.into_iter().collect();

@@ -69,8 +69,11 @@ impl Setting<'_> {
             None => Rounded::none(sheet, flat),
         };
         watch.begin(&[name], Stage::Check);
-        let measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
-        let predicted = sheet.has_rungs().then(|| screen(&sheet, &measures, material));
+        let mut measures = measures(CutFrom::Surface(&surface, &prices), &sheet, &flat);
+        let predicted = sheet.has_rungs().then(|| screen(&sheet, &flat, &measures, material));
+        if let Some(predicted) = &predicted {
+            measures.score(&predicted.scored);
+        }
         let mut checked = check(&Subject {
             sheet: &sheet,
             flat: &flat,

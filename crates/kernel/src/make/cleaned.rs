@@ -28,7 +28,8 @@ impl LastCleaned {
     pub(super) fn of(&mut self, design: &Design) -> Vec<Option<Cleaned>> {
         let from: Vec<Option<Arc<Triangles>>> = meshes(design).map(|mesh| mesh.cloned()).collect();
         let is_one = |(a, b): (&Option<Arc<Triangles>>, &Option<Arc<Triangles>>)| match (a, b) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            // What came from elsewhere as bytes has its mesh anew.
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b) || a == b,
             (None, None) => true,
             _ => false,
         };

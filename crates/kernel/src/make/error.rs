@@ -4,7 +4,7 @@ use crate::design::Failure;
 use crate::fair::{FairCause, FairError, VaryCause};
 use crate::flatten::{FlattenError, RelaxError};
 use crate::mark::MarkFault;
-use crate::mesh::MeshError;
+use crate::mesh::{MeshError, SeamFault};
 use crate::sample::{PanelCause, PanelError};
 use crate::surface::ConnectivityError;
 use crate::trim::TrimFault;
@@ -42,6 +42,8 @@ pub enum MakeCause {
         /// The limit.
         most: usize,
     },
+    /// A mesh that can't be cut along a seam.
+    Seam(SeamFault),
     /// A mesh that can't be laid flat.
     Relax(RelaxError),
     /// A trim that can't be made.
@@ -89,6 +91,7 @@ impl fmt::Display for MakeCause {
             Self::Components { found, most } => {
                 write!(f, "the mesh has {found} separate parts; the limit is {most}")
             }
+            Self::Seam(fault) => write_seam_fault(f, *fault),
             Self::Relax(error) => write!(f, "{error}"),
             Self::Trim(fault) => write!(f, "{fault}"),
             Self::Mark(fault) => write!(f, "{fault}"),
@@ -96,8 +99,30 @@ impl fmt::Display for MakeCause {
     }
 }
 
+fn place(p: &Point3) -> String {
+    format!("({:.3}, {:.3}, {:.3}) mm", p.x + 0.0, p.y + 0.0, p.z + 0.0)
+}
+
+fn write_seam_fault(f: &mut fmt::Formatter<'_>, fault: SeamFault) -> fmt::Result {
+    match fault {
+        SeamFault::Off { at, distance_mm } => {
+            let at = place(&at);
+            write!(f, "a seam passes {at}, {distance_mm:.3} mm from the nearest vertex of the mesh")
+        }
+        SeamFault::Apart { ends: [a, b] } => write!(
+            f,
+            "a seam goes from {} to {}, which lie on parts that do not hang together",
+            place(&a),
+            place(&b)
+        ),
+        SeamFault::TooLong => f.write_str(
+            "too many steps of seams are no sides of triangles, or join places where many vertices \
+             lie",
+        ),
+    }
+}
+
 fn write_mesh_error(f: &mut fmt::Formatter<'_>, error: MeshError, at: &[Point3]) -> fmt::Result {
-    let place = |p: &Point3| format!("({:.3}, {:.3}, {:.3}) mm", p.x + 0.0, p.y + 0.0, p.z + 0.0);
     match (error, at) {
         (MeshError::NotManifold { .. }, [a, b]) => {
             let (a, b) = (place(a), place(b));

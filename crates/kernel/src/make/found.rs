@@ -13,6 +13,7 @@ use crate::edge::edges_of_boundary;
 use crate::pattern::{PatternOptions, piece, seam_marks};
 use crate::sample::{Chords, PanelCause, Prepared, Sampler, outline, prepare};
 use sheetwright_geometry::curve::CurveKind;
+use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::{WhichSurface, triangulate_near};
 
@@ -96,10 +97,16 @@ fn make_as_asked(
     let bends = design.bends_of(panel);
     let options_of_piece = PatternOptions { bends, is_net: false, is_bare };
     let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &marks, &options_of_piece);
+    // Ends that run on are curves, and hold the sheet as any other.
+    let is_end = |n: &usize| new_ends.is_none() && steps[*n].is_end();
+    let step = |n: usize| [n, boundary.next(n)].map(SampleIndex::new);
+    let ends = (0..boundary.len()).filter(is_end).map(step).collect();
     let found = Found {
         method: panel.method,
         goal: panel.goal,
         fold: panel.fold,
+        slides: panel.slides,
+        ends,
         boundary,
         outline,
         chords,

@@ -4,7 +4,7 @@
 use super::Judging;
 use super::part::{Origin, Part};
 use crate::check::check_strain;
-use crate::elastic::{Basis, Predicted, predict};
+use crate::elastic::{Basis, Edges, Predicted, predict};
 use crate::material::Material;
 use crate::pattern::{PatternOptions, piece, seam_marks};
 use sheetwright_geometry::watch::Watch;
@@ -13,21 +13,29 @@ use sheetwright_geometry::watch::Watch;
 /// folds its pattern has scored. Returns whether it was stopped.
 pub(super) fn judge(part: &mut Part, material: Option<&Material>, watch: &mut dyn Watch) -> bool {
     let Some(screened) = &part.predicted else { return false };
-    let Some(predicted) = predict(&part.sheet, &part.flat, &part.measures, screened, watch) else {
+    let edges = edges_of(part);
+    let Part { sheet, flat, measures, .. } = &*part;
+    let Some(predicted) = predict(sheet, flat, &edges, measures, screened, watch) else {
         return true;
     };
-    for (n, rung) in part.measures.rungs.iter_mut().enumerate() {
-        rung.is_scored = rung.is_fold && predicted.scored.contains(&n);
-    }
+    let is_new = part.measures.score(&predicted.scored);
     check_strain(&mut part.checked, &predicted, &part.measures, material);
     part.predicted = Some(predicted);
-    if part.measures.rungs.iter().any(|rung| rung.is_fold && !rung.is_scored) {
+    if is_new {
         let marks = seam_marks(&part.sheet);
         let Part { name, sheet, flat, edges, measures, bends, .. } = part;
         let options = PatternOptions { bends: *bends, ..PatternOptions::default() };
         part.piece = piece(name, sheet, flat, edges, measures, &marks, &options);
     }
     false
+}
+
+/// What holds the edges of a part: where they slide, nothing holds straight ends between rails.
+fn edges_of(part: &Part) -> Edges {
+    match &part.origin {
+        Origin::Found(found) if found.slides => Edges::sliding(&part.sheet, &found.ends),
+        _ => Edges::default(),
+    }
 }
 
 /// Whether a part that a formula has screened wants an elastic sheet: always, or where its limit

@@ -13,12 +13,16 @@
 //! 3. An elastic sheet (`judged`), and whether a panel that does not bend would bend better without
 //!    its plane (`unrestricted`), take a search of their own, and no surface depends on them. While
 //!    a handle is dragged, a formula gives the verdict, and both wait until the hand rests.
+//! 4. Where to divide a panel that will not bend (`advice`) takes a second or two. It is looked for
+//!    last, in steps, between which the hand may move again.
 //!
 //! Panels are kept whole: what depends on all of them, as the pieces that they are divided into, is
 //! made anew from them each time.
 //!
 //! Once the hand rests, the outcome is that of [`super::make`] for this design, bit by bit; only if
 //! memory is short, a bound from before may make a table fit that does not fit afresh.
+
+mod advice;
 
 use super::cleaned::{Cleaned, LastCleaned};
 use super::cut_list::wanted;
@@ -28,6 +32,7 @@ use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
 use crate::sample::Counts;
+use advice::Advice;
 use sheetwright_geometry::curve::CurvePoint;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::{Stage, Watch};
@@ -77,6 +82,8 @@ pub struct Live {
     panels: Vec<LivePanel>,
     meshes: LastCleaned,
     counts: Counts,
+    /// The numbers of the panels that [`Self::advise`] looks at, once that is known.
+    to_advise: Option<Vec<usize>>,
 }
 
 /// A panel of a design that is being edited.
@@ -91,6 +98,8 @@ pub struct LivePanel {
     made_from: Option<Inputs>,
     /// Its last triangulation, if it had one.
     known: Option<Known>,
+    /// Where to divide it.
+    advice: Advice,
 }
 
 impl LivePanel {
@@ -194,6 +203,7 @@ impl Live {
         watch: &mut dyn Watch,
     ) -> Vec<usize> {
         self.design.curves[curve].points[point].at = to;
+        self.to_advise = None;
         self.make_changed(watch)
     }
 
@@ -206,6 +216,9 @@ impl Live {
     /// If the watcher asks to stop, the panels that were not made yet keep their former parts and
     /// are made by the next call; [`LivePanel::is_current`] is false for them.
     pub fn follow(&mut self, design: Design, watch: &mut dyn Watch) -> Vec<usize> {
+        if design != self.design {
+            self.to_advise = None;
+        }
         self.design = design;
         self.make_changed(watch)
     }
@@ -222,6 +235,7 @@ impl Live {
             }
             let (Ok(made), Some(known)) = (&mut panel.made, &mut panel.known) else { continue };
             let [part] = &mut made[..] else { continue };
+            self.to_advise = None;
             watch.begin(&[&panel.name], Stage::Check);
             match settle(part, known, self.design.material.as_ref(), watch) {
                 Ok(false) => continue,
@@ -247,7 +261,8 @@ impl Live {
     }
 
     /// The outcome of [`super::make`] for the design as it is now without its `vary`; findings left
-    /// to [`Self::settle`] are missing.
+    /// to [`Self::settle`] are missing. What [`Self::advise`] has found is there, as after
+    /// [`Made::advise`].
     ///
     /// # Errors
     /// The first panel that can't be made, and why.
@@ -258,6 +273,10 @@ impl Live {
         let panels = self.panels.iter().map(|panel| panel.made.clone());
         let mut parts = panels.collect::<Result<Vec<_>, _>>()?.concat();
         let divided = finish(&mut parts, &self.design, false)?;
+        for part in &mut parts {
+            let advice = self.advice_on(part).cloned();
+            advice.into_iter().for_each(|finding| part.checked.add(finding));
+        }
         let (name, material) = (self.design.name.clone(), self.design.material.clone());
         let thickness_mm = self.design.sheet_thickness_mm();
         let stock = self.design.stock.clone();
@@ -327,15 +346,18 @@ impl Live {
             let name = panel.name.clone();
             panels.push(if watch.stop() {
                 // What came out may be of a part of the work.
-                LivePanel { name, made: was_made.unwrap_or(made), made_from: None, known }
+                let made = was_made.unwrap_or(made);
+                LivePanel { name, made, made_from: None, known, advice: Advice::default() }
             } else {
                 changed.push(n);
-                LivePanel { name, made, made_from: Some(inputs), known }
+                let made_from = Some(inputs);
+                LivePanel { name, made, made_from, known, advice: Advice::default() }
             });
         }
         self.panels = panels;
         // Of meshes, what one part is called may change the edges of another.
         if !changed.is_empty() {
+            self.to_advise = None;
             let made = self.panels.iter_mut().filter_map(|panel| panel.made.as_mut().ok());
             join_meshes(&mut made.flatten().collect::<Vec<_>>());
         }

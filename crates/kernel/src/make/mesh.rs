@@ -1,16 +1,17 @@
 //! Panels that come as a mesh: divided into parts, cut where they must be, and laid flat.
 //!
-//! Each connected component of a mesh becomes a part. A part that is closed or has a handle is cut
-//! open as far as that serves (`opened`); one with holes or open at both ends is laid flat as it
-//! is, and cut from border to border where that leaves less than half of the error. Where facets
-//! are folded, the mesh is divided into the pieces of a net instead ([`super::facets`]).
+//! A mesh with seams is taken apart along them first (`seams`). Each connected component then
+//! becomes a part. A part that is closed or has a handle is cut open as far as that serves
+//! (`opened`); one with holes or open at both ends is laid flat as it is, and cut from border to
+//! border where that leaves less than half of the error. Where facets are folded, the mesh is
+//! divided into the pieces of a net instead ([`super::facets`]).
 
 use super::cleaned::Cleaned;
 use super::facets::{self, Folding, NetPiece};
 use super::laid::Laid;
-use super::opened::opened;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
+use super::seams::{Sewn, Side, seams_within};
 use super::skins::with_skin;
 use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
@@ -18,12 +19,14 @@ use crate::bend::{FOLDED_DEG, FoldTool, Mitred, crease, rounded};
 use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check, mitred_folds};
 use crate::design::{Bends, Design, DesignPanel, PanelMesh, Thick};
 use crate::elastic::screen_given;
-use crate::flatten::{Aim, RelaxOptions, Relaxed, relax};
+use crate::flatten::{Aim, FlattenError, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, cut_suggestion, distortion, measures};
-use crate::mesh::{Cut, Healing, Mesh, MeshError, Specks, separated};
+use crate::mesh::{
+    Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, separated, sides_along,
+};
 use crate::pattern::Piece;
-use crate::sheet::{Seam, Sheet, cut_along, split_along_creases};
+use crate::sheet::{Seam, Sheet, cut_along, split_at};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point3, from_deg};
 use sheetwright_geometry::watch::{Stage, Watch};
@@ -55,9 +58,10 @@ pub(super) fn make_mesh(
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
-    let whole = Whole::of(cleaned, settings).map_err(failed)?;
+    let whole = Whole::of(cleaned, settings, watch).map_err(failed)?;
     let folded = |meant, watch: &mut dyn Watch| {
-        let net = facets::divided(&whole.mesh, settings, meant, watch).map_err(failed)?;
+        let net =
+            facets::divided(&whole.mesh, &whole.seams, settings, meant, watch).map_err(failed)?;
         let pieces = pieces_of(cleaned, &whole, Some(net)).map_err(failed)?;
         make_parts(design, panel, settings, pieces, judging, watch)
     };
@@ -120,6 +124,8 @@ struct MeshPiece {
     skins: Option<FindingKind>,
     contacts: usize,
     joints: Vec<PieceJoint>,
+    /// The seams within it that were chosen.
+    seams: Vec<Side>,
     /// What it is as a piece of a net; `None` of a surface.
     net: Option<NetPiece>,
 }
@@ -138,10 +144,12 @@ struct Whole {
     contacts: usize,
     /// The finding on its two skins, if it is a plate that has them or if one was asked for.
     skins: Option<FindingKind>,
+    /// The sides along which it is to be cut.
+    seams: Cut,
 }
 
 impl Whole {
-    fn of(cleaned: &Cleaned, settings: &PanelMesh) -> Result<Self, MakeCause> {
+    fn of(cleaned: &Cleaned, settings: &PanelMesh, watch: &dyn Watch) -> Result<Self, MakeCause> {
         let given = &*cleaned.triangles;
         let known = |v: &VertexIndex| v.get() < given.positions.len();
         if let Some(n) = given.triangles.iter().position(|corners| !corners.iter().all(known)) {
@@ -158,13 +166,22 @@ impl Whole {
         let (mesh, skins) = Mesh::new(positions.clone(), triangles)
             .and_then(|whole| with_skin(whole, settings.skin))
             .map_err(|error| bad(error, &positions, &apart.triangles))?;
-        Ok(Self { mesh, contacts: contacts.len(), skins })
+        let before = Before { given: &settings.triangles.positions, healed: &positions };
+        let seams = sides_along(&mesh, before, &settings.seams, watch).map_err(MakeCause::Seam)?;
+        let seams = seams.ok_or(MakeCause::Flatten(FlattenError::Stopped))?;
+        Ok(Self { mesh, contacts: contacts.len(), skins, seams })
     }
 
-    /// The mesh divided along its creases, if settings say so.
+    /// The mesh divided along its seams, and along its creases if settings say so.
     fn divided(&self, settings: &PanelMesh) -> Result<Option<Sheet>, MakeCause> {
-        let divided = settings.split_creases.map(|crease| split_along_creases(&self.mesh, crease));
-        divided.transpose().map_err(|error| self.bad(error))
+        let crease = settings.split_creases;
+        if crease.is_none() && self.seams.is_empty() {
+            return Ok(None);
+        }
+        let turns = crease.map(|_| crease_angles(&self.mesh)).unwrap_or_default();
+        let turns_much = |n: usize| crease.is_some_and(|crease| turns[n] > crease);
+        let sheet = split_at(&self.mesh, |n| self.seams.contains(&n) || turns_much(n));
+        sheet.map(Some).map_err(|error| self.bad(error))
     }
 
     fn bad(&self, error: MeshError) -> MakeCause {
@@ -196,7 +213,7 @@ fn pieces_of(
 ) -> Result<Vec<MeshPiece>, MakeCause> {
     let given = &*cleaned.triangles;
     let (divided, nets) = divided.unzip();
-    let mut nets = nets.into_iter().flatten();
+    let nets = nets.unwrap_or_default();
     let (mesh, seams) = match &divided {
         Some(sheet) => (sheet.mesh(), sheet.seams()),
         None => (&whole.mesh, &[][..]),
@@ -206,6 +223,12 @@ fn pieces_of(
         return Err(MakeCause::Components { found: count, most: MAX_MESH_PARTS });
     }
     let mut joints = joints_of(mesh, seams);
+    // A net is cut along its seams already.
+    let mut within = match nets.is_empty() {
+        true => seams_within(&whole.mesh, &whole.seams, mesh),
+        false => vec![Vec::new(); count],
+    };
+    let mut nets = nets.into_iter();
     let mut pieces = Vec::with_capacity(count);
     for (n, piece) in mesh.components().iter().enumerate() {
         let alone = if count == 1 {
@@ -224,6 +247,7 @@ fn pieces_of(
             skins: whole.skins.clone().filter(|_| first),
             contacts: if first { whole.contacts } else { 0 },
             joints: std::mem::take(&mut joints[n]),
+            seams: std::mem::take(&mut within[n]),
             net: nets.next(),
         });
     }
@@ -283,18 +307,21 @@ fn lay(mesh: &Mesh, cut: &Cut, aim: Aim, watch: &mut dyn Watch) -> Result<Laid, 
 /// A mesh laid flat, cut where that must be or is worth it; with the number of darts.
 fn laid_well(
     mesh: &Mesh,
+    seams: &[Side],
     settings: &PanelMesh,
     limit: f64,
     watch: &mut dyn Watch,
 ) -> Result<(Laid, usize), MakeCause> {
     let aim = settings.aim;
-    let piece = &mesh.components()[0];
+    let sewn =
+        Sewn::of(mesh, seams).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
+    let piece = sewn.component();
     let needs_cut = piece.is_closed() || piece.handles() > 0;
     let may_be_closed = needs_cut || piece.is_disk();
-    let mut cut = if may_be_closed { opened(mesh, watch) } else { Cut::new() };
+    let mut cut = if may_be_closed { sewn.opened(watch) } else { sewn.seams() };
     let mut closed = lay(mesh, &cut, aim, watch);
     if !needs_cut && !piece.is_disk() && is_poor(&closed, limit) && !watch.stop() {
-        let more = opened(mesh, watch);
+        let more = sewn.opened(watch);
         let open = lay(mesh, &more, aim, watch);
         if is_better(&open, &closed) {
             (cut, closed) = (more, open);
@@ -318,7 +345,7 @@ fn make_part(
     (settings, judging): (&PanelMesh, Judging),
     watch: &mut dyn Watch,
 ) -> Result<Part, MakeCause> {
-    let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints, net } = piece;
+    let MeshPiece { mesh, left_out, specks, healings, skins, contacts, joints, seams, net } = piece;
     watch.begin(&[name], Stage::Flatten);
     let limit = stretch_limit(material);
     let mut mitred = (0, BTreeMap::new());
@@ -329,7 +356,7 @@ fn make_part(
             let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
             (Laid { sheet, relaxed, distortion }, 0)
         }
-        None => laid_well(&mesh, settings, limit, watch)?,
+        None => laid_well(&mesh, &seams, settings, limit, watch)?,
     };
     watch.begin(&[name], Stage::Check);
     let (laid, predicted) = match &net {
@@ -414,7 +441,10 @@ fn with_tool(
     let bends_up = creases.iter().sum::<f64>() < 0.0;
     let tool = thick.and_then(|thick| FoldTool::of_drawn(thick, material, bends_up));
     let Some(tool) = tool else { return (sheet, relaxed) };
-    let is_fold: Vec<bool> = creases.iter().map(|c| c.abs() > from_deg(FOLDED_DEG)).collect();
+    let edges = sheet.mesh().edges().iter().zip(&creases);
+    let is_fold = edges
+        .map(|(edge, crease)| crease.abs() > from_deg(FOLDED_DEG) && !sheet.is_within_face(edge));
+    let is_fold: Vec<bool> = is_fold.collect();
     let made = rounded(sheet, relaxed.flat, &is_fold, &tool);
     *mitred = (made.folds, made.mitred);
     (made.sheet, Relaxed { flat: made.flat, ..relaxed })

@@ -12,6 +12,7 @@ mod cleaned;
 mod cut_list;
 mod cut_once;
 mod divided;
+mod division;
 mod error;
 mod facets;
 mod found;
@@ -29,6 +30,7 @@ mod other;
 mod part;
 mod read_notes;
 mod rebuilt;
+mod seams;
 mod skins;
 mod strained;
 mod together;
@@ -54,6 +56,7 @@ use crate::pattern::Quantity;
 use crate::sample::{Matched, Sampler, counted, matched};
 use cleaned::{Cleaned, cleaned};
 use divided::divide_parts;
+use division::may_help;
 use found::make_found;
 use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
@@ -63,7 +66,7 @@ use read_notes::say_notes;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::TriangulateError;
 use strained::aimed_by_angles;
-use together::judge_all;
+use together::{advise_all, judge_all};
 use trimmed::trim_parts;
 use unrestricted::Known;
 
@@ -232,6 +235,24 @@ impl<'a> Maker<'a> {
         *known = None;
         let Some(mesh) = &self.meshes[number] else { return Ok(Vec::new()) };
         make_mesh(self.design, panel, settings, mesh, self.how.judging, watch)
+    }
+}
+
+/// Most parts of a design for which a division is looked for.
+pub const MOST_ADVISED: usize = 8;
+
+impl Made {
+    /// Adds a finding to parts that will not bend although their sheets were computed: where to
+    /// divide them so that their parts bend, or that no such division was found. That takes up to a
+    /// second or two each, so it is done for the first [`MOST_ADVISED`] of them; pieces of a
+    /// divided part are left out. If the watcher asks to stop, some findings are missing.
+    pub fn advise(&mut self, watch: &mut dyn Watch) {
+        let Self { parts, divided, material, .. } = self;
+        let is_piece = |part: &Part| {
+            divided.iter().flat_map(|whole| &whole.pieces).any(|(name, _)| *name == part.name)
+        };
+        let whole = parts.iter_mut().filter(|part| may_help(part) && !is_piece(part));
+        advise_all(whole.take(MOST_ADVISED).collect(), material.as_ref(), watch);
     }
 }
 

@@ -14,7 +14,7 @@ use crate::sample::Chords;
 use crate::sheet::Sheet;
 use crate::surface::Surface;
 use sheetwright_geometry::boundary::{Boundary, Outline, SupportingPlane};
-use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::index::{SampleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_optimum::triangulate::{Goal, Triangulation};
 
@@ -67,6 +67,10 @@ pub struct Found {
     pub goal: Goal,
     /// The weight ν of the fold price.
     pub fold: f64,
+    /// Whether its edges slide along the boundary while it is bent.
+    pub slides: bool,
+    /// The steps along the straight ends between two rails; none of any other boundary.
+    pub(crate) ends: Vec<[SampleIndex; 2]>,
     /// The boundary as it was sampled.
     pub boundary: Boundary,
     /// The curves between the samples of the boundary.

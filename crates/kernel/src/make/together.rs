@@ -1,8 +1,9 @@
-//! Parts judged by several threads: each part by itself, so that neither their number nor the
-//! order in which parts are taken changes a bit. Without the feature `rayon`, or where the system
-//! starts no threads, the caller's thread judges them all.
+//! Parts judged and advised on by several threads: each part by itself, so that neither their
+//! number nor the order in which parts are taken changes a bit. Without the feature `rayon`, or
+//! where the system starts no threads, the caller's thread does it all.
 
 use super::Judging;
+use super::division::add_division;
 use super::judged::{is_to_judge, judge};
 use super::part::Part;
 use crate::material::Material;
@@ -23,12 +24,30 @@ pub(super) fn judge_all(
     material: Option<&Material>,
     watch: &mut dyn Watch,
 ) {
+    judge_with(helpers(), parts, judging, material, watch);
+}
+
+/// Adds to parts that will not bend where to divide them. Where it is stopped, the rest stays as it
+/// is.
+pub(super) fn advise_all(
+    parts: Vec<&mut Part>,
+    material: Option<&Material>,
+    watch: &mut dyn Watch,
+) {
+    share(helpers(), parts, watch, &|part, watch| {
+        // A part whose work was stopped has no finding more, which is all that stopping asks for.
+        let _ = add_division(part, material, watch);
+    });
+}
+
+/// Number of threads beside the one that calls.
+fn helpers() -> usize {
     let helpers = if cfg!(feature = "rayon") && !is_on_one_thread() {
         thread::available_parallelism().map_or(0, |threads| threads.get() - 1)
     } else {
         0
     };
-    judge_with(helpers.min(MOST_HELPERS), parts, judging, material, watch);
+    helpers.min(MOST_HELPERS)
 }
 
 /// Judges them with so many threads beside the one that calls.
@@ -39,13 +58,26 @@ fn judge_with(
     material: Option<&Material>,
     watch: &mut dyn Watch,
 ) {
-    let count = parts.iter().filter(|part| is_to_judge(part, judging)).count();
-    let queue = Mutex::new(parts.iter_mut().filter(|part| is_to_judge(part, judging)));
+    let parts = parts.iter_mut().filter(|part| is_to_judge(part, judging)).collect();
+    share(helpers, parts, watch, &|part, watch| {
+        judge(part, material, watch);
+    });
+}
+
+/// Calls `work` with every item, on `helpers` threads beside the one that calls.
+fn share<T: Send>(
+    helpers: usize,
+    items: Vec<T>,
+    watch: &mut dyn Watch,
+    work: &(dyn Fn(T, &mut dyn Watch) + Sync),
+) {
+    let count = items.len();
+    let queue = Mutex::new(items.into_iter());
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let stopped = AtomicBool::new(false);
     let help = || {
-        while let Some(part) = next() {
-            judge(part, material, &mut Helper(&stopped));
+        while let Some(item) = next() {
+            work(item, &mut Helper(&stopped));
         }
     };
     thread::scope(|scope| {
@@ -55,8 +87,8 @@ fn judge_with(
             }
         }
         let mut leader = Leader { watch, stopped: &stopped };
-        while let Some(part) = next() {
-            judge(part, material, &mut leader);
+        while let Some(item) = next() {
+            work(item, &mut leader);
         }
     });
 }

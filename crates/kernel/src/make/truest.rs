@@ -14,7 +14,7 @@ use crate::measure::distortion;
 use sheetwright_geometry::watch::Watch;
 
 /// The pattern is fitted so often at the most.
-const MOST_FITS: usize = 8;
+const MOST_FITS: usize = 12;
 
 /// The sheet as it was laid, or fitted to its sheet at rest; with the prediction of its strain.
 pub(super) fn truest(

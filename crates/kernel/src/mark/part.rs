@@ -1,6 +1,7 @@
 //! A part as marks see it: its triangles in space and on the flat pattern.
 
 use crate::edge::Edge;
+use crate::flatten::{Beside, shares};
 use crate::mesh::Mesh;
 use crate::pattern::Room;
 use sheetwright_geometry::index::VertexIndex;
@@ -41,24 +42,9 @@ impl MarkPart<'_> {
     /// The place on the pattern of the point of the part that is nearest to a place in space, and
     /// how far that is off, mm.
     pub(super) fn nearest(&self, to: Point3) -> (Point2, f64) {
-        let mut best = (Point2::default(), f64::INFINITY);
-        for triangle in self.mesh.triangles() {
-            let corners = triangle.map(|v| self.mesh.position(v));
-            let at = nearest_in_triangle(corners, to);
-            let off = at.distance(to);
-            if off < best.1 {
-                best = (self.carried(*triangle, at), off);
-            }
-        }
-        best
-    }
-
-    /// Where a point of a triangle in space lies on the pattern: at the same shares of its corners.
-    fn carried(&self, triangle: [VertexIndex; 3], at: Point3) -> Point2 {
-        let [a, b, c] = triangle.map(|v| self.mesh.position(v));
-        let [s, t] = shares(b - a, c - a, at - a).unwrap_or_default();
-        let [a, b, c] = triangle.map(|v| self.laid(v));
-        a + (b - a) * s + (c - a) * t
+        let (triangles, positions) = (self.mesh.triangles(), self.mesh.positions());
+        let nearest = Beside { triangles, positions, flat: self.flat }.nearest(to);
+        (nearest.flat, nearest.off_mm)
     }
 
     /// The triangle that a place of the pattern lies in, or that is nearest to it.
@@ -88,12 +74,4 @@ impl MarkPart<'_> {
         let [a, b, c] = triangle.map(|v| self.laid(v));
         unit2((b - a) * s + (c - a) * t)
     }
-}
-
-/// The shares of two vectors whose sum is nearest to a third; `None` where they are parallel.
-fn shares(first: Vec3, second: Vec3, sum: Vec3) -> Option<[f64; 2]> {
-    let (aa, ab, bb) = (first.dot(first), first.dot(second), second.dot(second));
-    let (a, b) = (first.dot(sum), second.dot(sum));
-    let whole = aa * bb - ab * ab;
-    (whole > 0.0).then(|| [(bb * a - ab * b) / whole, (aa * b - ab * a) / whole])
 }

@@ -21,6 +21,7 @@
 //! Then what is compared is not one edge with another, but the mean slopes of two halves.
 
 use super::SHARP_CREASE_DEG;
+use super::apex::{Apex, radius_by_distance};
 use crate::surface::Surface;
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{SampleIndex, TriangleIndex};
@@ -54,18 +55,6 @@ const APEX_RUNGS: usize = 4;
 const FLAT: f64 = 1e-9;
 /// The factor that enlarges bounds, far more than rounding lowers them.
 const MORE: f64 = 1.0 + 1e-9;
-
-/// A sample that rulings run together in, as in the point of a cone: towards it the bend radius
-/// falls to nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Apex {
-    /// The sample.
-    pub sample: SampleIndex,
-    /// By how much the sheet turns round it, radians.
-    pub turn: f64,
-    /// The radius of the shallowest roll that sheets make instead of it, mm.
-    pub radius_mm: f64,
-}
 
 /// How tightly a sheet is rolled.
 pub(super) struct Rolls {
@@ -186,7 +175,9 @@ pub(super) fn rolls(surface: &Surface, creases: &[f64]) -> Rolls {
         for n in apex_numbers(stations) {
             let turn = stations[n].turn.length();
             let radius_mm = shallowest(turn, size) / turn;
-            apexes.push(Apex { sample: SampleIndex::new(start + n), turn, radius_mm });
+            let sample = SampleIndex::new(start + n);
+            let radius_by_distance = radius_by_distance(surface, creases, sample, FLAT);
+            apexes.push(Apex { sample, turn, radius_mm, radius_by_distance });
             (stations[n].turn, stations[n].axis) = (Vec3::ZERO, Vec3::ZERO);
         }
         note_lies(stations, size);

@@ -15,12 +15,13 @@
 //! | Gauss image | normals along the rungs, as points on the unit sphere | none |
 //! | its area | how much of that sphere they sweep, 0 for a developable surface | steradians |
 
+mod apex;
 mod bend;
 mod crossing;
 mod distortion;
 mod gauss;
 
-pub use bend::Apex;
+pub use apex::Apex;
 pub(crate) use crossing::crosses_itself;
 use crossing::first_self_crossing;
 pub use distortion::{CutSuggestion, Distortion, cut_suggestion, distortion};
@@ -67,8 +68,8 @@ pub struct RungMeasures {
     /// Whether the crease is a fold: above [`SHARP_CREASE_DEG`], and more than twice as large as
     /// those of the rungs around it together, so that no finer sampling would divide it.
     pub is_fold: bool,
-    /// Whether the sheet needs the fold, so that the pattern has it scored. Until an elastic sheet
-    /// is computed, every fold counts as needed.
+    /// Whether the sheet needs the fold, so that the pattern has it scored. Until a prediction
+    /// says more, every fold counts as needed.
     pub is_scored: bool,
     /// The radius that the sheet is rolled to at the end of the rung where it is rolled more
     /// tightly, mm; infinite where flat. Folds and apexes are none of it.
@@ -125,6 +126,20 @@ pub struct Measures {
     pub self_crossing: Option<[TriangleIndex; 2]>,
     /// Of a mesh: how far it is from lying flat without stretching.
     pub distortion: Option<Distortion>,
+}
+
+impl Measures {
+    /// Sets which folds are scored, by their rungs, in increasing order; whether that changes
+    /// anything.
+    pub(crate) fn score(&mut self, scored: &[usize]) -> bool {
+        let mut is_new = false;
+        for (n, rung) in self.rungs.iter_mut().enumerate() {
+            let is_scored = rung.is_fold && scored.binary_search(&n).is_ok();
+            is_new |= is_scored != rung.is_scored;
+            rung.is_scored = is_scored;
+        }
+        is_new
+    }
 }
 
 /// The surface that a sheet was cut from.

@@ -6,6 +6,7 @@
 //! round, no triangle is without area, and the whole is not smaller than [`MIN_SIZE_MM`]. A mesh
 //! may be of several [`Component`]s.
 
+mod along;
 mod corners;
 mod crease;
 mod cut;
@@ -16,9 +17,12 @@ mod specks;
 mod topology;
 mod tree;
 mod ways;
+mod zigzag;
 
+pub use along::SeamFault;
+pub(crate) use along::{Before, sides_along};
 pub(crate) use corners::separated;
-pub use crease::{SCORED_CREASE_DEG, crease_angles};
+pub use crease::{SCORED_CREASE_DEG, crease_angles, scored_creases};
 pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use heal::{Damage, Healed, Healing, healed};

@@ -1,16 +1,15 @@
 //! The facets of a mesh, and the hinges at which two of them meet.
 
-use crate::mesh::{Mesh, MeshEdge};
+use super::planes::face_of_triangles;
+use super::rounding::Rounding;
+use crate::flatten::{LaidFace, laid_face};
+use crate::mesh::{Cut, Mesh, MeshEdge};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
-use sheetwright_geometry::math::{Frame, Point2, Point3, Vec3, from_deg, unit};
+use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Range;
 
-/// Triangles of one facet lie within this angle, degrees, of its largest. Numbers of six digits
-/// turn triangles of a face by less, and a facet that is curved by this much is shorter in its
-/// plane by 2e-6 at the most.
-const ONE_PLANE_DEG: f64 = 0.1;
 /// A hinge turns by less than this from one of its sides to the next, radians: it is straight but
 /// for rounding.
 const STRAIGHT: f64 = 0.01;
@@ -47,6 +46,8 @@ pub(super) struct Hinge {
     pub(super) length_mm: f64,
     /// The angle between both, radians: positive over a mountain.
     pub(super) crease: f64,
+    /// Whether it is cut in any case.
+    pub(super) is_seam: bool,
 }
 
 /// The facets of a mesh.
@@ -54,6 +55,8 @@ pub(super) struct Hinge {
 pub(super) struct Facets {
     pub(super) list: Vec<Facet>,
     pub(super) hinges: Vec<Hinge>,
+    /// The facet of each triangle of the mesh.
+    pub(super) of_triangle: Vec<usize>,
     /// The number of the first vertex of each facet, counted through all facets.
     first_numbers: Vec<u32>,
     /// Where the vertices of the mesh lie, mm.
@@ -63,8 +66,13 @@ pub(super) struct Facets {
 }
 
 impl Facets {
-    pub(super) fn of(mesh: &Mesh) -> Self {
-        let of_triangle = facet_of_triangles(mesh);
+    /// The facets of a mesh that is cut along some sides, which divide flat faces, too, where they
+    /// part them; a slit within a face is none.
+    pub(super) fn of(mesh: &Mesh, seams: &Cut) -> Self {
+        let positions = mesh.positions().to_vec();
+        let size_mm = size_of(positions.iter().copied());
+        let rounding = Rounding::of(&positions, size_mm);
+        let of_triangle = face_of_triangles(mesh, seams, &rounding);
         let count = of_triangle.iter().max().map_or(0, |most| most + 1);
         let mut triangles = vec![Vec::new(); count];
         for (n, &facet) in of_triangle.iter().enumerate() {
@@ -78,11 +86,10 @@ impl Facets {
             next - facet.points.len() as u32
         });
         let first_numbers = first.collect();
-        let positions = mesh.positions().to_vec();
-        let size_mm = size_of(positions.iter().copied());
-        let mut facets = Self { list, hinges: Vec::new(), first_numbers, positions, size_mm };
-        for line in lines(mesh, &of_triangle) {
-            facets.add_hinge(mesh, &of_triangle, line);
+        let hinges = Vec::new();
+        let mut facets = Self { list, hinges, first_numbers, positions, size_mm, of_triangle };
+        for line in lines(mesh, &facets.of_triangle, seams) {
+            facets.add_hinge(mesh, line, seams);
         }
         facets
     }
@@ -93,13 +100,13 @@ impl Facets {
         first..first + self.list[facet].points.len() as u32
     }
 
-    fn add_hinge(&mut self, mesh: &Mesh, of_triangle: &[usize], line: Vec<VertexIndex>) {
+    fn add_hinge(&mut self, mesh: &Mesh, line: Vec<VertexIndex>, seams: &Cut) {
         let Some(n) = mesh.topology().edge_between(line[0], line[1]) else { return };
         let edge = &mesh.edges()[n];
         let [Some(first), Some(second)] = edge.triangles else { return };
         // The first triangle of a side lies to the left of the way from its lower end up.
         let sides = if edge.ends[0] == line[0] { [first, second] } else { [second, first] };
-        let of = sides.map(|t| of_triangle[t.get()]);
+        let of = sides.map(|t| self.of_triangle[t.get()]);
         let place = |facet: usize| {
             let at = |v: &VertexIndex| self.list[facet].vertices.binary_search(v).unwrap_or(0);
             line.iter().map(at).collect::<Vec<usize>>()
@@ -109,53 +116,15 @@ impl Facets {
         let crease = crate::surface::signed_crease(of.map(|f| self.list[f].normal), to - from);
         let number = self.hinges.len();
         of.iter().for_each(|&f| self.list[f].hinges.push(number));
-        self.hinges.push(Hinge { places, facets: of, length_mm: from.distance(to), crease, line });
+        let (length_mm, is_seam) = (from.distance(to), seams.contains(&n));
+        self.hinges.push(Hinge { places, facets: of, length_mm, crease, is_seam, line });
     }
-}
-
-/// The number of the facet of every triangle. From the largest triangle that is left, a facet
-/// spreads as far as triangles lie in its plane.
-fn facet_of_triangles(mesh: &Mesh) -> Vec<usize> {
-    let count = mesh.triangles().len();
-    let areas: Vec<Vec3> = (0..count).map(|n| mesh.area_vector(TriangleIndex::new(n))).collect();
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|&a, &b| areas[b].length().total_cmp(&areas[a].length()).then(a.cmp(&b)));
-    let normals: Vec<Vec3> = areas.iter().map(|&area| unit(area).unwrap_or(Vec3::ZERO)).collect();
-    let least_cosine = sheetwright_geometry::math::cos(from_deg(ONE_PLANE_DEG));
-    let mut of = vec![usize::MAX; count];
-    let mut facets = 0;
-    for seed in order {
-        if of[seed] != usize::MAX {
-            continue;
-        }
-        of[seed] = facets;
-        let mut waiting = VecDeque::from([seed]);
-        while let Some(here) = waiting.pop_front() {
-            let sides = mesh.topology().edges_of(TriangleIndex::new(here));
-            let across = sides.iter().flat_map(|&n| mesh.edges()[n].triangles);
-            for there in across.flatten().map(|t| t.get()) {
-                if of[there] == usize::MAX && normals[there].dot(normals[seed]) >= least_cosine {
-                    of[there] = facets;
-                    waiting.push_back(there);
-                }
-            }
-        }
-        facets += 1;
-    }
-    of
 }
 
 fn facet(mesh: &Mesh, triangles: Vec<usize>, of_triangle: &[usize]) -> Facet {
     let corners = |n: usize| mesh.triangles()[n];
-    let mut vertices: Vec<VertexIndex> = triangles.iter().flat_map(|&n| corners(n)).collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let area: Vec3 = triangles.iter().map(|&n| mesh.area_vector(TriangleIndex::new(n))).sum();
+    let LaidFace { vertices, points, area } = laid_face(mesh, &triangles, of_triangle);
     let normal = unit(area).unwrap_or(Vec3::Z);
-    let origin = mesh.position(vertices[0]);
-    let plane = Frame::with_normal(origin, normal);
-    let flat = |p: Point3| plane.map_or(Point2::default(), |plane| plane.project(p));
-    let points: Vec<Point2> = vertices.iter().map(|&v| flat(mesh.position(v))).collect();
     let place = |v: VertexIndex| vertices.binary_search(&v).unwrap_or(0);
     let is_own =
         |t: Option<TriangleIndex>, facet: usize| t.is_some_and(|t| of_triangle[t.get()] == facet);
@@ -176,8 +145,9 @@ fn facet(mesh: &Mesh, triangles: Vec<usize>, of_triangle: &[usize]) -> Facet {
     Facet { vertices, points, border, inside, width_mm, normal, hinges: Vec::new() }
 }
 
-/// The lines along which two facets meet, each as long as it goes straight on between the same two.
-fn lines(mesh: &Mesh, of_triangle: &[usize]) -> Vec<Vec<VertexIndex>> {
+/// The lines along which two facets meet, each as long as it goes straight on between the same two
+/// and is a seam all along or nowhere. Seams within a facet are no such lines.
+fn lines(mesh: &Mesh, of_triangle: &[usize], seams: &Cut) -> Vec<Vec<VertexIndex>> {
     let facets = |edge: &MeshEdge| edge.triangles.map(|t| t.map(|t| of_triangle[t.get()]));
     let mut borders = vec![0usize; mesh.positions().len()];
     let mut at: BTreeMap<VertexIndex, Vec<usize>> = BTreeMap::new();
@@ -206,7 +176,8 @@ fn lines(mesh: &Mesh, of_triangle: &[usize]) -> Vec<Vec<VertexIndex>> {
             if from { -way } else { way }
         };
         let turn = sheetwright_geometry::math::angle_between(way(n, true), way(next, false));
-        (pairs[0] == pairs[1] && turn < STRAIGHT).then_some(next)
+        let is_alike = pairs[0] == pairs[1] && seams.contains(&n) == seams.contains(&next);
+        (is_alike && turn < STRAIGHT).then_some(next)
     };
     let mut used = vec![false; mesh.edges().len()];
     let mut lines = Vec::new();

@@ -2,10 +2,10 @@
 
 use super::facets::{Facets, Hinge};
 use super::order::seam_cost;
-use super::overlap::{APART, Side, is_inside, meet};
-use crate::flatten::fits_in;
+use super::overlap::{APART, Side, is_inside, meet, reaches_into};
+use crate::flatten::{Motion, fits_in};
 use sheetwright_geometry::disjoint::DisjointSets;
-use sheetwright_geometry::math::{Point2, Vec2};
+use sheetwright_geometry::math::Point2;
 use sheetwright_geometry::watch::Watch;
 
 /// Both sides of a hinge lie on one another if their ends are nearer than this share of the size:
@@ -49,29 +49,6 @@ struct Laid {
     min: Point2,
     max: Point2,
     inside: Point2,
-}
-
-/// A turn and a shift of the plane.
-#[derive(Clone, Copy)]
-struct Motion {
-    from: Point2,
-    to: Point2,
-    turn: Vec2,
-}
-
-impl Motion {
-    /// The motion that lays one segment on another of the same length.
-    fn laying([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> Self {
-        let (u, v) = (b - a, d - c);
-        let turn = Vec2::new(u.dot(v), u.perp_dot(v));
-        let length = turn.length();
-        let turn = if length > 0.0 { turn / length } else { Vec2::X };
-        Self { from: a.lerp(b, 0.5), to: c.lerp(d, 0.5), turn }
-    }
-
-    fn moved(&self, p: Point2) -> Point2 {
-        self.to + self.turn.rotate(p - self.from)
-    }
 }
 
 impl Laid {
@@ -156,15 +133,16 @@ impl<'a> Pieces<'a> {
 
     /// Folds a hinge if it joins two pieces that do not overlap then; whether it did.
     pub(super) fn fold(&mut self, hinge: usize) -> bool {
-        let of = self.facets.hinges[hinge].facets;
+        let Hinge { facets: of, is_seam, .. } = self.facets.hinges[hinge];
         let [a, b] = of.map(|f| self.of_facet[f]);
-        if a == b {
+        if a == b || is_seam {
             return false;
         }
         // The smaller piece moves.
         let moves = usize::from(self.members[a].len() >= self.members[b].len());
         let [small, big] = [[a, b][moves], [a, b][1 - moves]];
-        let motion = Motion::laying(self.ends(hinge, moves), self.ends(hinge, 1 - moves));
+        let [from, to] = [self.ends(hinge, moves), self.ends(hinge, 1 - moves)];
+        let motion = Motion::laying(&[[from[0], to[0]], [from[1], to[1]]]);
         let members = self.members[small].clone();
         let mut moved: Vec<Laid> = members.iter().map(|&f| self.laid[f].moved(&motion)).collect();
         let closed = self.closed(&members, &moved, big);
@@ -201,7 +179,7 @@ impl<'a> Pieces<'a> {
             for &n in &self.facets.list[f].hinges {
                 let hinge = &self.facets.hinges[n];
                 let side = usize::from(hinge.facets[0] != f);
-                if self.of_facet[hinge.facets[1 - side]] != big {
+                if hinge.is_seam || self.of_facet[hinge.facets[1 - side]] != big {
                     continue;
                 }
                 let places = &hinge.places[side];
@@ -304,6 +282,8 @@ impl<'a> Pieces<'a> {
                 if crosses()
                     || is_inside(moved[n].inside, &of_other)
                     || is_inside(other.inside, &own)
+                    || reaches_into(&own, &of_other)
+                    || reaches_into(&of_other, &own)
                 {
                     overlaps = true;
                     break 'all;
@@ -329,7 +309,8 @@ impl<'a> Pieces<'a> {
         // Round a flat vertex, facets hang together the other way round, and nothing opened.
         for &n in hinges {
             let [a, b] = self.facets.hinges[n].facets.map(|f| self.of_facet[f]);
-            if a == b && self.is_closed(n, self.ends(n, 0), self.ends(n, 1)) {
+            let is_seam = self.facets.hinges[n].is_seam;
+            if a == b && !is_seam && self.is_closed(n, self.ends(n, 0), self.ends(n, 1)) {
                 self.folded[n] = true;
                 self.name_vertices(a);
             }

@@ -60,7 +60,8 @@ pub(super) fn tidied<'a>(mut pieces: Pieces<'a>, watch: &mut dyn Watch) -> Optio
         let mut is_better = false;
         for &cut in &dearest {
             let [a, b] = facets.hinges[cut].facets;
-            if pieces.folded[cut] || pieces.of_facet[a] != pieces.of_facet[b] {
+            let is_given = facets.hinges[cut].is_seam;
+            if is_given || pieces.folded[cut] || pieces.of_facet[a] != pieces.of_facet[b] {
                 continue;
             }
             if pieces.work > MOST_WORK {
@@ -191,6 +192,7 @@ fn is_no_worse(tried: &Pieces<'_>, best: &Pieces<'_>) -> bool {
 fn components(pieces: &Pieces<'_>) -> usize {
     let facets = pieces.facets;
     let mut sets = sheetwright_geometry::disjoint::DisjointSets::new(facets.list.len());
-    let joins = facets.hinges.iter().filter(|h| sets.join(h.facets[0], h.facets[1])).count();
+    let open = facets.hinges.iter().filter(|h| !h.is_seam);
+    let joins = open.filter(|h| sets.join(h.facets[0], h.facets[1])).count();
     facets.list.len() - joins
 }

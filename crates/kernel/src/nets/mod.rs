@@ -1,11 +1,11 @@
 //! Nets: a mesh of flat facets laid flat by folds alone, as a paper model is.
 //!
-//! A facet is a flat face: triangles that lie in one plane and hang together (`facets`). Two
-//! facets meet along a *hinge*, a straight line. Every hinge is folded or cut. A piece, whose
-//! facets hang together by folds, lies flat without stretching if every vertex that is not flat is
-//! reached by a cut. So the folds of a piece form a tree of facets (of the *dual graph*), and each
-//! tree has an exact net. Which tree is a matter of taste and of one limit: the net must not
-//! overlap itself.
+//! A facet is a flat face: triangles that hang together and lie in one plane, within the rounding
+//! of their file (`planes`, `rounding`). Two facets meet along a *hinge*, a straight line. Every
+//! hinge is folded or cut. A piece, whose facets hang together by folds, lies flat without
+//! stretching if every vertex that is not flat is reached by a cut. So the folds of a piece form a
+//! tree of facets (of the *dual graph*), and each tree has an exact net. Which tree is a matter of
+//! taste and of one limit: the net must not overlap itself.
 //!
 //! 1. Pieces *grow* (`grow`): all hinges are tried in an order, and a hinge is folded if the
 //!    pieces on its two sides, laid beside one another, do not overlap. Every piece is free of
@@ -35,14 +35,16 @@ mod meant;
 mod mend;
 mod order;
 mod overlap;
+mod planes;
+mod rounding;
 
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
 
-use crate::mesh::Mesh;
+use crate::mesh::{Cut, Mesh};
 use crate::sheet::Sheet;
 use facets::Facets;
 use grow::Pieces;
-use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::watch::Watch;
 
 /// The limits of a net.
@@ -62,6 +64,8 @@ pub struct Net {
     pub pieces: usize,
     /// The hinges that are cut: each its vertices in order.
     cuts: Vec<NetCut>,
+    /// The facet of each triangle of the mesh.
+    of_triangle: Vec<usize>,
 }
 
 /// A hinge that is cut.
@@ -75,16 +79,18 @@ struct NetCut {
 /// Once so many pairs are compared, no further orders are tried: about two seconds.
 const MOST_WORK: usize = 150_000_000;
 
-/// The net of a mesh with the fewest pieces that were found; `None` if the watcher asks to stop.
-pub fn net(mesh: &Mesh, options: &NetOptions, watch: &mut dyn Watch) -> Option<Net> {
-    let facets = Facets::of(mesh);
+/// The net of a mesh with the fewest pieces that were found, which is cut along `seams` wherever
+/// they part two facets; `None` if the watcher asks to stop.
+pub fn net(mesh: &Mesh, seams: &Cut, options: &NetOptions, watch: &mut dyn Watch) -> Option<Net> {
+    let facets = Facets::of(mesh, seams);
     let pieces = best(&facets, options, watch)?;
     let cut = |(n, hinge): (usize, &facets::Hinge)| {
         let [a, b] = hinge.facets.map(|f| pieces.of_facet[f]);
         (!pieces.folded[n]).then(|| NetCut { line: hinge.line.clone(), parts: a != b })
     };
     let cuts = facets.hinges.iter().enumerate().filter_map(cut).collect();
-    Some(Net { facets: facets.list.len(), pieces: pieces.count(), cuts })
+    let (count, of_triangle) = (pieces.count(), facets.of_triangle.clone());
+    Some(Net { facets: facets.list.len(), pieces: count, cuts, of_triangle })
 }
 
 fn best<'a>(facets: &'a Facets, options: &NetOptions, watch: &mut dyn Watch) -> Option<Pieces<'a>> {
@@ -110,6 +116,11 @@ fn best<'a>(facets: &'a Facets, options: &NetOptions, watch: &mut dyn Watch) -> 
 }
 
 impl Net {
+    /// The facet of a triangle of the mesh.
+    pub fn facet_of(&self, triangle: TriangleIndex) -> usize {
+        self.of_triangle[triangle.get()]
+    }
+
     /// The mesh taken apart into the pieces of the net, with the lines along which they were one.
     ///
     /// # Errors

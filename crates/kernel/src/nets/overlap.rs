@@ -64,3 +64,19 @@ pub(super) fn is_inside(point: Point2, sides: &[Side]) -> bool {
     };
     sides.iter().filter(crosses).count() % 2 == 1
 }
+
+/// Whether a side of a facet that begins or ends at a vertex of another one lies within that, as
+/// far as the sides of both meet nowhere else: beside a hole that a narrow facet fills but for
+/// rounding, no side crosses another.
+pub(super) fn reaches_into(facet: &[Side], other: &[Side]) -> bool {
+    let is_corner = |vertex: u32| other.iter().any(|side| side.vertices.contains(&vertex));
+    facet.iter().any(|side| {
+        let [from, to] = side.vertices.map(is_corner);
+        // Of a fold, both are, and its middle lies on the border of both.
+        let is_shared = || {
+            let ends = |other: &Side| other.vertices.iter().all(|v| side.vertices.contains(v));
+            other.iter().any(ends)
+        };
+        (from || to) && !is_shared() && is_inside(side.ends[0].lerp(side.ends[1], 0.5), other)
+    })
+}

@@ -1,4 +1,4 @@
-use super::overlap::{Side, is_inside, meet};
+use super::overlap::{Side, is_inside, meet, reaches_into};
 use sheetwright_geometry::math::Point2;
 
 /// A closed line of sides through these points, which are vertices of these numbers.
@@ -45,4 +45,17 @@ fn a_facet_within_another_is_found_by_a_point_inside() {
     // A hole is no inside.
     let pierced = [square, within].concat();
     assert!(!is_inside(Point2::new(1.2, 1.2), &pierced));
+}
+
+#[test]
+fn a_facet_that_covers_a_hole_with_its_vertices_and_more_is_found() {
+    let plate = ring(&[([0., 0.], 0), ([9., 0.], 1), ([9., 9.], 2), ([0., 9.], 3)]);
+    let hole = ring(&[([3., 3.], 4), ([4., 5.], 6), ([5., 3.], 5)]);
+    let plate = [plate, hole].concat();
+    // Folded along the side from 4 to 5; its tip is in the hole, or beyond the hole's.
+    let low = ring(&[([3., 3.], 4), ([5., 3.], 5), ([4., 4.9], 7)]);
+    let high = ring(&[([3., 3.], 4), ([5., 3.], 5), ([4., 5.1], 7)]);
+    assert!(!any_meet(&low, &plate) && !any_meet(&high, &plate));
+    assert!(!reaches_into(&low, &plate) && !reaches_into(&plate, &low));
+    assert!(reaches_into(&high, &plate));
 }

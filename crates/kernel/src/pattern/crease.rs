@@ -1,15 +1,13 @@
 //! The sharp creases of a mesh, to be scored.
 
-use crate::mesh::{Mesh, SCORED_CREASE_DEG, crease_angles};
+use crate::mesh::{Mesh, scored_creases};
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::from_deg;
 use std::collections::BTreeMap;
 
 /// The sharp creases as ways along sides, each as long as can be without branching.
 pub(super) fn creases(sheet: &Mesh) -> Vec<Vec<VertexIndex>> {
-    let angles = crease_angles(sheet);
-    let sharp: Vec<usize> =
-        (0..angles.len()).filter(|&n| angles[n] > from_deg(SCORED_CREASE_DEG)).collect();
+    let angles = scored_creases(sheet);
+    let sharp: Vec<usize> = (0..angles.len()).filter(|&n| angles[n] > 0.0).collect();
     let mut at: BTreeMap<VertexIndex, Vec<usize>> = BTreeMap::new();
     for &n in &sharp {
         sheet.edges()[n].ends.iter().for_each(|&end| at.entry(end).or_default().push(n));

@@ -16,6 +16,13 @@ pub enum StepSource {
     End,
 }
 
+impl StepSource {
+    /// Whether it joins two rails.
+    pub(crate) fn is_end(&self) -> bool {
+        matches!(self, Self::Start | Self::End)
+    }
+}
+
 /// The first and the last sample of a rail itself, among its samples with the new ends that it runs
 /// on to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

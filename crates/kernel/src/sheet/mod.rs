@@ -11,8 +11,9 @@ mod split;
 pub use cut::cut_along;
 pub(crate) use cut::cut_along_lines;
 pub use split::split_along_creases;
+pub(crate) use split::split_at;
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, MeshEdge};
 use crate::surface::{Hinge, Surface};
 use sheetwright_geometry::index::{SampleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point2, Point3};
@@ -63,6 +64,8 @@ pub struct Sheet {
     first_seam: usize,
     rung_ends: Vec<[VertexIndex; 2]>,
     tool_folds: Option<ToolFolds>,
+    /// The flat face of each triangle; empty where none is known.
+    faces: Vec<usize>,
 }
 
 /// The folds of a sheet that has, on the flat, what a tool of a radius takes at them.
@@ -95,7 +98,8 @@ impl Sheet {
             Seam { sides, length_mm, gap_mm: 0.0 }
         };
         let seams = seams.into_iter().map(seam).collect();
-        Self { mesh, origin, seams, first_seam: 0, rung_ends: Vec::new(), tool_folds: None }
+        let (rung_ends, tool_folds, faces) = (Vec::new(), None, Vec::new());
+        Self { mesh, origin, seams, first_seam: 0, rung_ends, tool_folds, faces }
     }
 
     /// The sheet with its vertices elsewhere in space, mm.
@@ -122,6 +126,17 @@ impl Sheet {
             seam.gap_mm = gap(0).max(gap(left.len() - 1));
         }
         self
+    }
+
+    /// The sheet whose triangles are of these flat faces.
+    pub(crate) fn with_faces(self, faces: Vec<usize>) -> Self {
+        Self { faces, ..self }
+    }
+
+    /// Whether a side of its mesh lies within a flat face: it turns there by rounding alone.
+    pub(crate) fn is_within_face(&self, edge: &MeshEdge) -> bool {
+        let face = |n: usize| edge.triangles[n].and_then(|t| self.faces.get(t.get()));
+        face(0).is_some() && face(0) == face(1)
     }
 
     /// The sheet that a tool of an inner radius folds at these sides of the mesh, in increasing

@@ -1,4 +1,4 @@
-//! A mesh divided into panels along its sharp creases.
+//! A mesh divided into panels along its sharp creases or other sides.
 
 use super::{Sheet, cut_along};
 use crate::mesh::{Cut, Mesh, MeshError, crease_angles};
@@ -13,9 +13,18 @@ use sheetwright_geometry::index::TriangleIndex;
 /// See [`MeshError`]; a valid mesh has none.
 pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<Sheet, MeshError> {
     let turns = crease_angles(mesh);
+    split_at(mesh, |n| turns[n] > crease)
+}
+
+/// The sheet of a mesh that is taken apart along some of its sides, so that every part that they
+/// enclose is a piece of its own. Sides within a part are not cut.
+///
+/// # Errors
+/// See [`MeshError`]; a valid mesh has none.
+pub(crate) fn split_at(mesh: &Mesh, parts_at: impl Fn(usize) -> bool) -> Result<Sheet, MeshError> {
     let mut parts = DisjointSets::new(mesh.triangles().len());
-    for (edge, turn) in mesh.edges().iter().zip(&turns) {
-        if let ([Some(a), Some(b)], true) = (edge.triangles, *turn <= crease) {
+    for (n, edge) in mesh.edges().iter().enumerate() {
+        if let ([Some(a), Some(b)], false) = (edge.triangles, parts_at(n)) {
             parts.join(a.get(), b.get());
         }
     }
@@ -23,6 +32,6 @@ pub fn split_along_creases(mesh: &Mesh, crease: f64) -> Result<Sheet, MeshError>
         [Some(a), Some(b)] => parts.first(a.get()) != parts.first(b.get()),
         _ => false,
     };
-    let cut: Cut = (0..turns.len()).filter(|&n| apart(mesh.edges()[n].triangles)).collect();
+    let cut: Cut = (0..mesh.edges().len()).filter(|&n| apart(mesh.edges()[n].triangles)).collect();
     cut_along(mesh, &cut)
 }

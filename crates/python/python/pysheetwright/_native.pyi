@@ -254,6 +254,7 @@ def make_points(bounds: Mapping[str, Any], name: str, settings: Mapping[str, Any
 def make_mesh(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int64],
+    seams: NDArray[np.int64],
     name: str,
     settings: Mapping[str, Any],
 ) -> Made: ...

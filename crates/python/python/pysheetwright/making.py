@@ -52,6 +52,8 @@ class Settings(TypedDict, total=False):
     """Which surface, where two fit the boundary about as well."""
     plane: Literal["auto", "none"] | tuple[float, float, float]
     """The supporting plane, or its normal."""
+    slide: bool
+    """Whether edges slide along the boundary while the sheet is bent."""
     units: Literal["mm", "cm", "m", "in", "ft"]
     """The unit of a table, a drawing or a mesh."""
     material: str
@@ -184,16 +186,22 @@ def make_mesh(
     vertices: ArrayLike,
     faces: ArrayLike,
     *,
+    seams: ArrayLike | None = None,
     name: str = "mesh",
     **settings: Unpack[Settings],
 ) -> Made:
     """Make a mesh as the command does: heal it, cut it open, divide it, lay its parts flat.
 
     ``vertices`` has the shape (V, 3), in mm unless ``units`` says otherwise, ``faces`` the shape
-    (F, 3), with vertices counted from 0. For one position for each vertex there is
-    :func:`flatten`.
+    (F, 3), with vertices counted from 0. ``seams``, of the shape (S, 2), are sides of faces along
+    which it is cut, each by the vertices at its ends; where they do not let it lie flat, it is cut
+    on. For one position for each vertex there is :func:`flatten`.
     """
-    return _native.make_mesh(_rows(vertices), _faces(faces), name, _given(settings))
+    sides = np.empty((0, 2), dtype=np.int64)
+    if seams is not None and np.size(seams) > 0:
+        sides = _numbers("seams", seams, 2)
+    given = _given(settings)
+    return _native.make_mesh(_rows(vertices), _faces(faces), sides, name, given)
 
 
 def flatten(
@@ -410,8 +418,13 @@ def _rows(points: Any) -> NDArray[np.float64]:  # noqa: ANN401
 
 
 def _faces(faces: ArrayLike) -> NDArray[np.int64]:
-    rows = np.asarray(faces)
+    return _numbers("faces", faces, 3)
+
+
+def _numbers(what: str, given: ArrayLike, columns: int) -> NDArray[np.int64]:
+    rows = np.asarray(given)
     if rows.ndim != 2 or not np.issubdtype(rows.dtype, np.integer):  # noqa: PLR2004
-        message = f"faces: the array has the shape {rows.shape} and the type {rows.dtype}"
-        raise SheetwrightError(message, "Give an array of integers of shape (F, 3).")
+        message = f"{what}: the array has the shape {rows.shape} and the type {rows.dtype}"
+        hint = f"Give an array of integers of shape ({what[0].upper()}, {columns})."
+        raise SheetwrightError(message, hint)
     return rows.astype(np.int64)

@@ -155,6 +155,7 @@ fields!(DesignPanel {
     goal,
     plane,
     run_on,
+    slides,
     fold,
     effort,
     cut,
@@ -168,7 +169,7 @@ fields!(CurveUse { name, reversed });
 fields!(Join { parts, smooth, within, keep_parts });
 fields!(Vary { panels, curves, goal, limit_mm, budget_mm, by, leave_developable });
 fields!(Triangles { positions, triangles, left_out });
-fields!(PanelMesh { triangles, aim, split_creases, darts, skin, facets, pieces_within_mm });
+fields!(PanelMesh { triangles, aim, split_creases, darts, skin, facets, pieces_within_mm, seams });
 kinds!(Aim { Mean, Max, Seams });
 kinds!(CurveKind { Polyline, Spline, BSpline });
 kinds!(PanelMethod { Optimal, Bridge, Rails });

@@ -3,8 +3,8 @@
 use super::{Wire, fields, kinds, variants};
 use sheetwright::bend::Mitred;
 use sheetwright::check::{
-    Bend, BorderSide, Division, Finding, FindingKind, Hindrance, Movement, Place, SeamCause,
-    SeamPlace, TooTight,
+    Bend, BorderSide, CutWay, Division, Finding, FindingKind, Hindrance, LinePlace, Movement,
+    Place, PointReach, SeamCause, SeamPlace, TooTight,
 };
 use sheetwright::divide::DivideFault;
 use sheetwright::elastic::Basis;
@@ -23,7 +23,7 @@ variants!(FindingKind {
     FoldsNotNeeded { count, sharpest },
     RadiusTooSmall { least_mm, limit_mm, sheet },
     SheetTooThick { drawn_mm, inside_mm, thickness_mm },
-    Points { count, turn, too_tight },
+    Points { count, turn, reach, too_tight },
     SelfCrossing {},
     Overlap {},
     RungWithoutPlane { count },
@@ -31,11 +31,13 @@ variants!(FindingKind {
     TwoSurfaces { apart_mm, is_one_pattern, other },
     NoOtherSurface {},
     StrainNotReached { wanted, reached },
+    BendsDivided { parts, way, strain, verdict },
+    DividedInVain { most },
     NotProven { gap, cut_short },
     Folds { count, sharpest, stiff },
     Creases { count, sharpest, stiff },
     FoldedFacets { mountains, valleys, sharpest, stiff },
-    FacetsMeant { facets, turn },
+    FacetsMeant { facets, turn, overlaps },
     FacetsFew { facets },
     BendLines { count, sharpest },
     LengthError { largest, closes_holes },
@@ -103,6 +105,7 @@ variants!(Place {
     Sides { sides },
     Seams { seams },
     Points { at },
+    Lines { lines },
     CurvePoints { curve, numbers }
 });
 variants!(Ended {
@@ -116,11 +119,14 @@ variants!(Ended {
 });
 fields!(Division { pieces, joints, joint, lap_mm, length_mm, room_mm });
 kinds!(DivideFault { NoThickness, Seams, NoPlace, Pinched, TooThin });
+fields!(PointReach { reach_mm, limit_mm, folds });
 fields!(TooTight { sheet, limit_mm, needed_mm });
 fields!(Bend { warp, radius_mm });
 fields!(Movement { curves, moved_max_mm, moved_total_mm, size_mm, warp, twist });
 fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
+fields!(LinePlace { at, on_part });
+kinds!(CutWay { Across, Lengthwise });
 kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
 kinds!(Mitred { Meets, NotFlat, Narrow, Untrue });
 kinds!(Skin { Outer, Inner });

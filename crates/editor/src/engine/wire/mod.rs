@@ -328,6 +328,11 @@ impl Wire for Job {
                 design.put(out);
                 formats.put(out);
             }
+            Self::Advise { number, design } => {
+                out.push(3);
+                number.put(out);
+                design.put(out);
+            }
         }
     }
 
@@ -338,6 +343,7 @@ impl Wire for Job {
             0 => Self::Show { number, design, detail: Detail::take(from)? },
             1 => Self::Vary { number, design },
             2 => Self::Export { number, design, formats: Vec::take(from)? },
+            3 => Self::Advise { number, design },
             _ => return None,
         })
     }
@@ -369,6 +375,12 @@ impl Wire for Answer {
                 text.put(out);
                 done.put(out);
             }
+            Self::Advised { number, advice, is_over } => {
+                out.push(4);
+                number.put(out);
+                advice.put(out);
+                is_over.put(out);
+            }
         }
     }
 
@@ -385,6 +397,7 @@ impl Wire for Answer {
                 text: String::take(from)?,
                 done: f64::take(from)?,
             },
+            4 => Self::Advised { number, advice: Vec::take(from)?, is_over: bool::take(from)? },
             _ => return None,
         })
     }

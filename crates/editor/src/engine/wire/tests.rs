@@ -1,7 +1,7 @@
 use super::*;
 use crate::engine::shown::{Shown, ShownPanel};
 use sheetwright::boundary::{Continuity, PlaneChoice, Within};
-use sheetwright::check::Finding;
+use sheetwright::check::{Finding, Place};
 use sheetwright::design::{
     BendMarks, BendRule, Bends, CurveUse, Design, DesignPanel, Dimensions, Join, MovedBy,
     PanelShape, Vary, VaryGoal,
@@ -98,6 +98,13 @@ fn odd_design() -> Design {
     design
 }
 
+/// Findings on where to divide parts.
+fn advice() -> Vec<(String, Finding)> {
+    let is_advice = |finding: &Finding| matches!(finding.place, Place::Lines { .. });
+    let found = one_of_each().into_iter().filter(is_advice);
+    found.map(|finding| ("side-1".to_owned(), finding)).collect()
+}
+
 fn answers() -> Vec<Answer> {
     let refusal = Refusal { message: "no".to_owned(), hint: "ask again".to_owned() };
     let design = template("cone").unwrap().defaults().design().unwrap();
@@ -122,6 +129,7 @@ fn answers() -> Vec<Answer> {
         Answer::Varied { number: 4, outcome: Err(refusal.clone()) },
         Answer::Files { number: 5, outcome: Ok(vec![file]) },
         Answer::Files { number: 6, outcome: Err(refusal) },
+        Answer::Advised { number: 8, advice: advice(), is_over: false },
         Answer::Progress {
             number: 7,
             stage: Stage::Nest,
@@ -155,6 +163,7 @@ fn every_kind_of_job_comes_back() {
     for design in designs().chain([odd_design(), Design::default()]).map(Arc::new) {
         for job in [
             Job::Show { number: 1, design: design.clone(), detail: Detail::Coarse },
+            Job::Advise { number: 4, design: design.clone() },
             Job::Vary { number: 2, design: design.clone() },
             Job::Export { number: 3, design: design.clone(), formats: Format::ALL.to_vec() },
         ] {

@@ -11,7 +11,7 @@ fn lines_without_faces_are_curves() {
     let design = read(DrawingFormat::Obj, RAILS.as_bytes(), "a.obj", &options()).unwrap();
     assert_eq!(shapes(&design), [["keel", "sheer"]]);
     has_lengths(&design, &[2000.0 * 1.01f64.sqrt(), 2000.0], RAILS);
-    assert_eq!(lines_beside(MeshFormat::Obj, RAILS.as_bytes()), []);
+    assert_eq!(lines_beside(MeshFormat::Obj, RAILS.as_bytes(), 0), []);
 }
 
 #[test]
@@ -25,7 +25,7 @@ fn loose_edges_in_any_order_are_chained() {
 fn lines_beside_faces_are_counted() {
     let both = format!("{RAILS}f 1 2 3\n");
     assert!(!is_lines(both.as_bytes()));
-    let notes = lines_beside(MeshFormat::Obj, both.as_bytes());
+    let notes = lines_beside(MeshFormat::Obj, both.as_bytes(), 0);
     let count = |note: &ReadNote| matches!(note, ReadNote::NotUsed { count: 2, .. });
     assert!(notes.len() == 1 && count(&notes[0]), "{notes:?}");
 }

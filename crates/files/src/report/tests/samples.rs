@@ -27,6 +27,7 @@ fn panel(name: &str, shape: PanelShape, samples: usize) -> DesignPanel {
         plane,
         goal: Goal::Price,
         run_on: false,
+        slides: false,
         fold: 0.1,
         effort: 1.0,
         cut: Vec::new(),

@@ -207,6 +207,8 @@ impl Making<'_> {
             method: found.method,
             goal: found.goal,
             fold: found.fold,
+            slides: found.slides,
+            ends: Vec::new(),
             outline: Outline::through(&boundary),
             chords: found.chords.divided(&steps),
             tolerance_mm: found.tolerance_mm,

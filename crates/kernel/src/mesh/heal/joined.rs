@@ -248,7 +248,7 @@ fn divide(
 /// A triangle divided at vertices on its sides, each of which is given by the corner at which it
 /// begins: through the middle vertex of the longest side that has some to the corner across, and so
 /// on with both halves.
-fn divided(
+pub(super) fn divided(
     work: &Work,
     corners: [VertexIndex; 3],
     on: [Vec<VertexIndex>; 3],

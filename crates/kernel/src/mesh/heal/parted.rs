@@ -4,7 +4,12 @@
 //! on straightest stay together, two and two, and the others end there. Where triangles hang
 //! together beyond such sides, as the faces of either of two boxes that touch along an edge, they
 //! stay together first, as long as they run the same way round.
+//!
+//! A triangle that ends at a side may hang together with those that go on there round both ends of
+//! the side, so that these have no vertices to tell them apart. It is divided at the middle of the
+//! side then.
 
+use super::joined::divided;
 use super::{Damage, Work, middle};
 use crate::mesh::topology::{HalfEdge, groups};
 use sheetwright_geometry::disjoint::DisjointSets;
@@ -53,7 +58,9 @@ pub(super) fn part(work: &mut Work, sides: &[HalfEdge]) -> bool {
     }
     // Which hang together before any are joined at branches.
     let mut before = Ways(ways.0.clone());
+    let mut units: Vec<Vec<Vec<&HalfEdge>>> = Vec::with_capacity(branches.len());
     for group in &branches {
+        let mut of_side = Vec::new();
         let mut left: Vec<&HalfEdge> = group.iter().collect();
         while let Some([a, b]) = best(work, &left, &mut ways, &mut before) {
             let pair = [left[a], left[b]];
@@ -62,13 +69,49 @@ pub(super) fn part(work: &mut Work, sides: &[HalfEdge]) -> bool {
             keep(&mut corners, work, pair);
             left.remove(b);
             left.remove(a);
+            of_side.push(pair.to_vec());
         }
+        of_side.extend(left.into_iter().map(|side| vec![side]));
+        units.push(of_side);
     }
     let count = branches.len();
     let at_branches = branches.iter().flat_map(|group| group[0].ends).collect();
     split(work, at_branches, &corners.all_first());
+    divide(work, &units);
     work.note(Damage::Branch, count, Some(place));
     true
+}
+
+/// Divides triangles at the middle of a side whose vertices others have as well, from which they
+/// are parted there. Of each side of too many triangles, `units` has those that stay together.
+fn divide(work: &mut Work, units: &[Vec<Vec<&HalfEdge>>]) {
+    let mut middles: BTreeMap<usize, [Vec<VertexIndex>; 3]> = BTreeMap::new();
+    for of_side in units {
+        let mut taken: Vec<[VertexIndex; 2]> = Vec::with_capacity(of_side.len());
+        for unit in of_side {
+            let side = unit[0];
+            let corners = work.triangles[side.triangle as usize];
+            let ends = [0, 1].map(|k| corners[(usize::from(side.at) + k) % 3]);
+            let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            if !taken.contains(&ends) {
+                taken.push(ends);
+                continue;
+            }
+            let number = VertexIndex::new(work.positions.len());
+            work.positions.push(middle(ends.map(|v| work.at(v))));
+            for side in unit {
+                let of_triangle = middles.entry(side.triangle as usize).or_default();
+                of_triangle[usize::from(side.at)].push(number);
+            }
+        }
+    }
+    for (triangle, on) in middles {
+        let mut parts = divided(work, work.triangles[triangle], on).into_iter();
+        if let Some(first) = parts.next() {
+            work.triangles[triangle] = first;
+        }
+        work.triangles.extend(parts);
+    }
 }
 
 /// Keeps two triangles together along a side.

@@ -238,3 +238,29 @@ fn a_filler_and_its_neighbours_may_have_points_of_their_own() {
     assert_eq!((mesh.components().len(), mesh.loops().len()), (1, 1));
     assert_eq!(mesh.positions().len(), 5);
 }
+
+#[test]
+fn what_ends_at_a_side_is_divided_there_if_it_hangs_with_the_others_round_both_ends() {
+    // Two boxes, one on the other, with a lid and a floor between whose diagonals differ. A wall of
+    // the lower one lacks the triangle below its rim, where wall, lid and floor meet now.
+    let corners = [[0., 0.], [30., 0.], [30., 20.], [0., 20.]];
+    let positions: Vec<[f64; 3]> =
+        [0.0, 10.0, 20.0].iter().flat_map(|&z| corners.map(|[x, y]| [x, y, z])).collect();
+    let walls = |low: usize| {
+        let side = move |k: usize| [low + k, low + (k + 1) % 4, low + 4 + (k + 1) % 4, low + 4 + k];
+        (0..4).flat_map(move |k| {
+            let [a, b, c, d] = side(k);
+            [[a, b, c], [a, c, d]]
+        })
+    };
+    let level = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [5, 4, 7], [5, 7, 6]];
+    let top = [[8, 9, 10], [8, 10, 11]];
+    for missing in [1, 3, 5, 7] {
+        let lower = walls(0).enumerate().filter(|&(n, _)| n != missing).map(|(_, t)| t);
+        let triangles: Vec<[usize; 3]> = lower.chain(walls(4)).chain(level).chain(top).collect();
+        let (mesh, healings) = heal(&soup(&positions, &triangles));
+        let lost = if missing % 4 == 1 { 150.0 } else { 100.0 };
+        assert!((area(&mesh) - (4.0 * 600.0 + 2000.0 - lost)).abs() < 1e-9, "{}", area(&mesh));
+        assert!(healings.iter().any(|healing| healing.0 == Damage::Branch), "{healings:?}");
+    }
+}

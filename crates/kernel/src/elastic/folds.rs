@@ -1,0 +1,65 @@
+//! The folds of a surface that was found, and which of them its boundary has itself.
+
+use crate::flatten::Flattened;
+use crate::measure::Measures;
+use crate::sheet::Sheet;
+use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::{angle_between, atan2, to_deg};
+
+/// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
+/// degrees.
+const KINK_DEG: f64 = 5.0;
+
+/// The folds for which `is_so`, by their rungs, in increasing order.
+pub(super) fn folds(measures: &Measures, is_so: impl Fn(usize) -> bool) -> Vec<usize> {
+    let is_fold = |n: &usize| measures.rungs[*n].is_fold && is_so(*n);
+    (0..measures.rungs.len()).filter(is_fold).collect()
+}
+
+/// The border of a sheet in space and on its pattern.
+pub(super) struct Border<'a> {
+    sheet: &'a Sheet,
+    flat: &'a Flattened,
+    /// The loop of each vertex that lies on the border, and its place there.
+    places: Vec<Option<[usize; 2]>>,
+}
+
+impl<'a> Border<'a> {
+    pub(super) fn new(sheet: &'a Sheet, flat: &'a Flattened) -> Self {
+        let mut places = vec![None; sheet.mesh().positions().len()];
+        for (n, line) in sheet.loops().iter().enumerate() {
+            for (at, vertex) in line.iter().enumerate() {
+                places[vertex.get()].get_or_insert([n, at]);
+            }
+        }
+        Self { sheet, flat, places }
+    }
+
+    /// Whether the boundary has the fold, at one of its ends at least: there the boundary turns in
+    /// space by another angle than on the pattern, and by far more so than at the samples beside
+    /// it. No smooth sheet does that.
+    pub(super) fn demands(&self, rung: usize) -> bool {
+        self.sheet.rung_ends()[rung].into_iter().any(|end| {
+            let [before, here, after] = [-1, 0, 1].map(|step| self.kink(end, step));
+            here > KINK_DEG && here > 2.0 * (before + after)
+        })
+    }
+
+    /// By how much the border turns in space more or less than on the pattern, degrees, at a vertex
+    /// so many steps after another.
+    fn kink(&self, from: VertexIndex, steps: isize) -> f64 {
+        let Self { sheet, flat, places } = self;
+        let Some([line, at]) = places[from.get()] else { return 0.0 };
+        let line = &sheet.loops()[line];
+        let at = at as isize + steps;
+        let vertex = |n: isize| line[n.rem_euclid(line.len() as isize) as usize];
+        let [a, b, c] = [at - 1, at, at + 1].map(vertex);
+        let space = |v: VertexIndex| sheet.mesh().position(v);
+        let point = |v: VertexIndex| flat.points[v.get()];
+        let in_space = angle_between(space(b) - space(a), space(c) - space(b));
+        let (came, goes) = (point(b) - point(a), point(c) - point(b));
+        let on_pattern = came.perp_dot(goes).abs();
+        let on_pattern = atan2(on_pattern, came.dot(goes));
+        to_deg((in_space - on_pattern).abs())
+    }
+}
