@@ -174,6 +174,21 @@ fn the_formula_screens_within_its_doubt() {
     assert!(10 * within >= 9 * all, "{within} of {all}");
 }
 
+#[test]
+fn the_formula_knows_that_thick_sheet_resists_a_fold_that_it_smooths() {
+    for degrees in [5.0, 7.0, 10.0] {
+        for thickness_mm in [1.0, 2.0, 5.0] {
+            let design = twisted(degrees, Some(steel(thickness_mm)));
+            let quick = make_judged(&design, Judging::Quick, &mut Unwatched).unwrap();
+            let quick = quick.parts[0].predicted.as_ref().unwrap();
+            let exact = made(&design).predicted.unwrap();
+            assert!(quick.scored.is_empty() && exact.scored.is_empty());
+            let factor = exact.strain / quick.strain;
+            assert!((0.9..1.5).contains(&factor), "{degrees}° in {thickness_mm} mm: {factor}");
+        }
+    }
+}
+
 /// What edges that slide take away: strains in per cent, held and sliding.
 #[test]
 fn edges_that_slide_strain_the_sheet_less() {

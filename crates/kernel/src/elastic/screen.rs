@@ -11,8 +11,10 @@
 //! smoothed over the whole sheet: along a fold of length ℓ the sheet, of area A, is A/ℓ wide, which
 //! is the shorter way (a diagonal) or the longer one (a rung of a strip), so ω = φ min(A/ℓ², ℓ²/A).
 //! The curvature is taken as 2 φ ℓ/A, twice that of the fold spread over A/ℓ: the sheet leaves the
-//! helicoid, and computed sheets of strips twisted by 5 to 22° have 1.8 to 3.1 times φ ℓ/A. The
-//! folds stay where the sheet so smoothed would use more than it takes.
+//! helicoid, and computed sheets of strips twisted by 5 to 22° have 1.8 to 3.1 times φ ℓ/A. Thick
+//! sheet, which resists the fold, is strained by a quarter of its outer fibre so: those strips in
+//! 5 mm by .26 to .30 of it. The folds stay where the sheet so smoothed would use more than it
+//! takes.
 
 use super::folds::{Border, folds};
 use super::{Basis, DECIDES, Predicted, at_share};
@@ -29,6 +31,8 @@ pub const DOUBT: f64 = 2.2;
 /// The curvature of a sheet that smooths a fold, as a multiple of that of the fold spread over the
 /// width of the sheet beside it.
 const TIGHTER: f64 = 2.0;
+/// The least strain of a sheet that smooths a fold, as a share of that of its outer fibre.
+const RESISTED: f64 = 0.25;
 
 /// What a formula predicts of a sheet whose surface was found, and the folds that it scores.
 pub fn screen(
@@ -59,7 +63,10 @@ pub fn screen(
     let spare = folded.scored.iter().filter(|rung| needed.binary_search(rung).is_err());
     let [warp, bent] = smoothed(sheet, flat, measures, spare.copied());
     let curvature = curvature.max(bent);
-    let smooth = by_formula(limits(curvature), curvature, warp_squared + warp * warp);
+    let limits = limits(curvature);
+    let strain = strain_of(&limits, curvature, warp_squared + warp * warp);
+    let strain = strain.max(limits.outer_fibre_at(bent) * RESISTED);
+    let smooth = screened(limits, strain, curvature);
     let [least, most] = smooth.strain_range;
     let limit = smooth.limits.strain;
     if smooth.usage() <= 1.0 {
@@ -91,7 +98,18 @@ fn smoothed(
 /// What the formula predicts of a sheet with this curvature, 1/mm, and this mean square of the
 /// warp, by area, square radians.
 pub(super) fn by_formula(limits: Limits, curvature: f64, warp_squared: f64) -> Predicted {
-    let strain = limits.outer_fibre_at(curvature) / 12.0 + warp_squared / 24.0;
+    let strain = strain_of(&limits, curvature, warp_squared);
+    screened(limits, strain, curvature)
+}
+
+/// The strain of a sheet with this curvature, 1/mm, and this mean square of the warp, by area,
+/// square radians.
+fn strain_of(limits: &Limits, curvature: f64, warp_squared: f64) -> f64 {
+    limits.outer_fibre_at(curvature) / 12.0 + warp_squared / 24.0
+}
+
+/// What is predicted by a strain that a formula gives, and a curvature, 1/mm.
+fn screened(limits: Limits, strain: f64, curvature: f64) -> Predicted {
     Predicted {
         limits,
         basis: Basis::Screen,
