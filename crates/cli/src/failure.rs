@@ -64,8 +64,14 @@ impl Failure {
 /// The hint for an extra argument: a unit that belongs to the number before it, or a second input.
 fn too_many(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(extra)) = error.get(ContextKind::InvalidArg) else { return None };
-    if error.kind() != ErrorKind::UnknownArgument || extra.starts_with('-') {
+    if error.kind() != ErrorKind::UnknownArgument {
         return None;
+    }
+    if let Some(name) = extra.strip_prefix('-') {
+        let is_number = name.starts_with(|c: char| c.is_ascii_digit());
+        return is_number.then(|| {
+            "A negative number stands behind an equals sign, as in --offset=-10mm.".to_owned()
+        });
     }
     if let Some(hint) = split_value(extra) {
         return Some(hint);

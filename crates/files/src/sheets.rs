@@ -93,11 +93,14 @@ pub fn sheets_sentence(made: &Made) -> Option<String> {
     let several = |count: usize, one: &str| {
         if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
     };
-    let mut words = format!(
-        "{} on {}, of which {share:.0} % is used",
-        several(parts, "part"),
-        several(rows.len(), "sheet")
-    );
+    let mut words = match rows.len() {
+        0 => "No part is on a sheet".to_owned(),
+        sheets => format!(
+            "{} on {}, of which {share:.0} % is used",
+            several(parts, "part"),
+            several(sheets, "sheet")
+        ),
+    };
     let without = without_sheet(made, nested);
     if !without.is_empty() {
         words = format!("{words}. {without}");

@@ -6,6 +6,8 @@ use sheetwright::design::{SheetForm, StockSheet};
 
 /// The longest side of a sheet, mm: a longer one has the wrong unit.
 pub(crate) const MOST_SHEET_MM: f64 = 1e6;
+/// A sheet without a unit is larger on one side, mm: 4x8 means feet.
+const LEAST_BARE_MM: f64 = 50.0;
 /// The most sheets of a kind.
 pub(crate) const MOST_OF_A_KIND: usize = 1_000_000;
 
@@ -24,7 +26,7 @@ pub fn stock_sheet(text: &str) -> Result<StockSheet, String> {
     let read = || {
         if let Some(width) = text.strip_prefix("roll:") {
             let width = crate::quantity::size_mm(width).and_then(in_range)?;
-            return Some(sheet(SheetForm::Roll { width }, None));
+            return Some((sheet(SheetForm::Roll { width }, None), false));
         }
         let letters = text.trim_end_matches(|c: char| c.is_alphabetic() || "\"″'′".contains(c));
         let unit = text[letters.len()..].trim();
@@ -42,9 +44,20 @@ pub fn stock_sheet(text: &str) -> Result<StockSheet, String> {
         };
         let mm = |text: &str| crate::quantity::length_in(text.trim(), units).and_then(in_range);
         let size = [mm(width)?, mm(height)?];
-        Some(sheet(SheetForm::Rectangle { size }, count))
+        Some((sheet(SheetForm::Rectangle { size }, count), unit.is_empty()))
     };
-    read().ok_or_else(|| EXAMPLES.to_owned())
+    let (read, is_bare) = read().ok_or_else(|| EXAMPLES.to_owned())?;
+    match read.form {
+        SheetForm::Rectangle { size: [width, height] }
+            if is_bare && width.max(height) < LEAST_BARE_MM =>
+        {
+            Err(format!(
+                "without a unit these are millimetres; give {width}x{height}ft or \
+                 {width}x{height}in, or {width}x{height}mm if it is so small"
+            ))
+        }
+        _ => Ok(read),
+    }
 }
 
 /// A kind of sheet as it is typed; `None` of an offcut, which has corners.
@@ -97,6 +110,9 @@ mod tests {
         for text in ["1220x2440mm", "3x1219.2x2438.4mm", "roll:1370mm"] {
             assert_eq!(stock_text(&stock_sheet(text).unwrap()).unwrap(), text);
         }
+        let small = stock_sheet("2x4x8").unwrap_err();
+        assert!(small.contains("give 4x8ft"), "{small}");
+        assert_eq!(size("4x8mm"), ([4.0, 8.0], None));
         for text in ["", "1220", "0x3", "1x2x3x4", "axb", "roll:", "2kmx3", "1.5x3x4", "9e9x1"] {
             assert!(stock_sheet(text).is_err(), "{text}");
         }

@@ -378,10 +378,7 @@ fn divided_parts_have_pictures_with_their_pieces() {
             assert_eq!(loops.len(), 1);
         }
     }
-    assert!(
-        section.contains(" m long and the largest sheet takes 2.43 m × 1210 mm, so"),
-        "{section}"
-    );
+    assert!(section.contains(" m long and the largest sheet takes 2.43 × 1.21 m, so"), "{section}");
 }
 
 #[test]

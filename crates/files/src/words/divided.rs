@@ -59,12 +59,19 @@ pub(super) fn not_divided(fault: DivideFault) -> &'static str {
     }
 }
 
-/// A width and a height.
+/// A width and a height, in the unit of the larger.
 pub(super) fn by([width, height]: [f64; 2]) -> String {
-    format!("{} × {}", length(width), length(height))
+    if width.max(height) >= METRES_FROM_MM {
+        format!("{:.2} × {:.2} m", width / 1000.0, height / 1000.0)
+    } else {
+        format!("{width:.0} × {height:.0} mm")
+    }
 }
 
-/// A length: in metres from two metres on, to a centimetre.
+/// Lengths are in metres from here on, to a centimetre.
+const METRES_FROM_MM: f64 = 2000.0;
+
+/// A length.
 fn length(mm: f64) -> String {
-    if mm >= 2000.0 { format!("{:.2} m", mm / 1000.0) } else { format!("{mm:.0} mm") }
+    if mm >= METRES_FROM_MM { format!("{:.2} m", mm / 1000.0) } else { format!("{mm:.0} mm") }
 }

@@ -109,7 +109,7 @@ fn a_finding_reads_well() {
     assert_eq!(
         said("divided")[..2],
         [
-            "Piece 1 of 4: the part is 22.14 m long and the largest sheet takes 5.98 m × 2.38 m, so \
+            "Piece 1 of 4: the part is 22.14 m long and the largest sheet takes 5.98 × 2.38 m, so \
              it is divided by 3 scarfs of 96 mm. What is said of its bending is said of the whole \
              part. ()",
             "Piece 2 of 4, divided as the first says. ()"
