@@ -101,12 +101,39 @@ fn the_thickness_decides_and_the_thickest_sheet_is_named() {
     let predicted = thick.predicted.as_ref().unwrap();
     let thickest_mm = predicted.thickest_mm.unwrap();
     assert!(thickest_mm > 1.0 && thickest_mm < 5.0, "{thickest_mm}");
-    let there = made(&wavy(80.0, 1.2, Some(steel(0.9 * thickest_mm))));
-    assert_ne!(there.checked.verdict, Verdict::WillNotBend);
     // The moment goes with the third power of the thickness.
     let moments = [&thin, &thick].map(|part| part.predicted.as_ref().unwrap().hold_moment_n());
     let ratio = moments[1].unwrap() / moments[0].unwrap();
     assert!((ratio / 125.0 - 1.0).abs() < 0.1, "{ratio}");
+}
+
+/// A template at its defaults, of a material.
+fn template(name: &str, material: Material) -> Design {
+    let design = sheetwright::template::template(name).unwrap().defaults().design().unwrap();
+    Design { material: Some(material), ..design }
+}
+
+#[test]
+fn the_thickest_sheet_that_is_named_takes_the_shape() {
+    // In these thicknesses, none does.
+    let cases: [(&dyn Fn(Material) -> Design, f64); 6] = [
+        (&|sheet| twisted(90.0, Some(sheet)), 5.0),
+        (&|sheet| wavy(60.0, 1.2, Some(sheet)), 4.0),
+        (&|sheet| wavy(80.0, 1.2, Some(sheet)), 5.0),
+        (&|sheet| template("square-to-round", sheet), 5.0),
+        (&|sheet| template("reducer", sheet), 5.0),
+        (&|sheet| template("cone", sheet), 5.0),
+    ];
+    for (n, (design, thickness_mm)) in cases.into_iter().enumerate() {
+        let refused = made(&design(steel(thickness_mm)));
+        assert_eq!(refused.checked.verdict, Verdict::WillNotBend, "{n}");
+        let thickest_mm = refused.predicted.as_ref().unwrap().thickest_mm;
+        let Some(thickest_mm) = thickest_mm else { panic!("{n}: none is named") };
+        assert!(thickest_mm < thickness_mm, "{n}");
+        let taken = made(&design(steel(thickest_mm)));
+        let is_taken = !matches!(taken.checked.verdict, Verdict::WillNotBend | Verdict::Undecided);
+        assert!(is_taken, "{n}: {:?} in {thickest_mm} mm", taken.checked.verdict);
+    }
 }
 
 #[test]

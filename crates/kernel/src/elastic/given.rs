@@ -22,6 +22,7 @@
 use super::predict::{FLAT, NETS, by_nets, stiffness_of};
 use super::screen::by_formula;
 use super::surface::facing;
+use super::thickest::thickest_mm;
 use super::{
     Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Reading, Task,
     at_rest, at_share, curvature_of_surface,
@@ -49,14 +50,10 @@ const PATIENCE: usize = 2;
 /// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
 /// the most. Who asked for a sheet eight times as thick has another one in mind.
 const HALVINGS: usize = 3;
-/// Then so many sheets between the last two are judged: the next is thicker by less than a fifth.
-const MIDDLES: usize = 2;
 /// The pattern of each of these sheets is fitted so often at the most, and until it uses no more
 /// than this share of the limit: one net may be wrong by a quarter.
 const FITS_OF_THICKEST: usize = 6;
 const CLEARLY: f64 = 0.79;
-/// Lengths are rounded to so many decimals less one at the most.
-const MOST_DECIMALS: usize = 9;
 /// A fitted pattern goes before the exact one of a strip where it leaves less than this share of
 /// the strain.
 const FAR_LESS: f64 = 2.0 / 3.0;
@@ -107,7 +104,8 @@ pub fn predict_given(
         Err(_) => Some(Predicted::of_pattern(given.limits, strain)),
         Ok(predicted) if predicted.usage_range()[0] <= 1.0 => Some(predicted),
         Ok(predicted) => {
-            let thickest_mm = given.thickest_mm(fits, watch);
+            let takes = |mm: f64| given.takes_in(mm, fits, watch);
+            let thickest_mm = thickest_mm(given.limits.thickness_mm, HALVINGS, takes);
             (!watch.stop()).then_some(Predicted { thickest_mm, ..predicted })
         }
     }
@@ -247,37 +245,13 @@ impl Given<'_> {
         })
     }
 
-    /// The thickest sheet of its kind that is found to take the shape, mm: sheets are halved until
-    /// one does, and then it is made thicker again. Each is judged as a run in its thickness
-    /// begins: on the first net, where that run stops if the sheet takes the shape clearly, with
-    /// the fits of the pattern that it does first. Further fits only lower the strain. Thicknesses
-    /// have two digits, so that the one that is said is one that was judged.
-    fn thickest_mm(&self, fits: usize, watch: &mut dyn Watch) -> Option<f64> {
-        let fits = fits.min(FITS_OF_THICKEST);
-        let mut takes = |thickness_mm: f64| {
-            let limits = self.limits.in_thickness(thickness_mm);
-            let thinner = Given { limits, nets: &NETS[..1], enough: CLEARLY, ..*self };
-            thinner.judged(fits, watch).is_ok_and(|found| found.usage_range()[1] <= 1.0)
-        };
-        let mut refuses_mm = self.limits.thickness_mm;
-        for _ in 0..HALVINGS {
-            let half_mm = in_two_digits(0.5 * refuses_mm);
-            if !takes(half_mm) {
-                refuses_mm = half_mm;
-                continue;
-            }
-            let mut takes_mm = half_mm;
-            for _ in 0..MIDDLES {
-                let middle_mm = in_two_digits((takes_mm * refuses_mm).sqrt());
-                if middle_mm > takes_mm && takes(middle_mm) {
-                    takes_mm = middle_mm;
-                } else {
-                    refuses_mm = middle_mm;
-                }
-            }
-            return Some(takes_mm);
-        }
-        None
+    /// Whether a sheet of this thickness, mm, takes the shape clearly on the first net, with the
+    /// fits of the pattern that a run in it does first. Further fits only lower the strain.
+    fn takes_in(&self, thickness_mm: f64, fits: usize, watch: &mut dyn Watch) -> bool {
+        let limits = self.limits.in_thickness(thickness_mm);
+        let thinner = Given { limits, nets: &NETS[..1], enough: CLEARLY, ..*self };
+        let found = thinner.judged(fits.min(FITS_OF_THICKEST), watch);
+        found.is_ok_and(|found| found.usage_range()[1] <= 1.0)
     }
 
     fn at_rest(
@@ -315,13 +289,6 @@ pub fn screen_given(
     let curvature = curvature_of(sheet, flat, Reading::Smooth);
     let limits = Limits::of(material, area, curvature);
     by_formula(limits, curvature, warp_squared(sheet.mesh()))
-}
-
-/// A length in two digits, rounded down, mm; whole millimetres from 100 on.
-fn in_two_digits(mm: f64) -> f64 {
-    let scales = std::iter::successors(Some(1.0), |scale| Some(scale * 10.0));
-    let scale = scales.take(MOST_DECIMALS).find(|scale| mm * scale >= 10.0);
-    scale.map_or(mm, |scale: f64| (mm * scale * (1.0 + 1e-12)).floor() / scale)
 }
 
 /// Whether all points of a mesh lie on its border.

@@ -44,6 +44,7 @@ mod predict;
 mod predicted;
 mod screen;
 mod surface;
+mod thickest;
 
 pub use energy::Stiffness;
 pub use given::{predict_given, screen_given};
@@ -180,8 +181,7 @@ pub fn elastic(
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Elastic, ElasticError> {
-    let edges = Edges::default();
-    at_rest(&Task { sheet, flat, edges: &edges, coarser: None }, stiffness, options, watch)
+    elastic_on(&Edges::default(), sheet, flat, stiffness, options, watch)
 }
 
 /// The sheet at rest whose border is held as `edges` say.

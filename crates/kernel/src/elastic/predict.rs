@@ -12,6 +12,7 @@
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
 use super::folds::{Border, folds};
+use super::thickest::thickest_mm;
 use super::{
     Basis, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, elastic_on,
 };
@@ -39,10 +40,9 @@ const THINNEST: f64 = 1e-5;
 const PIECES: [usize; 5] = [2, 3, 4, 6, 10];
 /// At so many places of a fold it is asked whether the sheet at rest has smoothed it.
 const FOLD_PLACES: usize = 7;
-/// Thinner sheet is looked for down to this share of the thickness.
-const THINNEST_SHARE: f64 = 1.0 / 64.0;
-/// The thickest sheet is known within this factor.
-const THICKNESS_STEP: f64 = 1.15;
+/// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
+/// the most.
+const HALVINGS: usize = 6;
 
 /// Predicts the strain of a sheet whose surface was found, and the folds that it needs, where a
 /// formula has `screened` it, and whose border is held as `edges` say. `None` where the watcher
@@ -60,9 +60,8 @@ pub fn predict(
     if takes(&predicted) || predicted.basis != Basis::Computed {
         return (!watch.stop()).then_some(predicted);
     }
-    let options = ElasticOptions::default();
-    let at_rest = |l: &Limits| judge.at_rest(l, &predicted.scored, &options, watch);
-    let thickest_mm = thickest_mm(&screened.limits, at_rest);
+    let takes = |mm: f64| judge.takes_in(mm, screened, watch);
+    let thickest_mm = thickest_mm(screened.limits.thickness_mm, HALVINGS, takes);
     // What does not take the shape at all shows every fold.
     let scored = judge.folds(|_| true);
     (!watch.stop()).then_some(Predicted { thickest_mm, scored, ..predicted })
@@ -130,6 +129,15 @@ impl Judge<'_> {
             }
             Ok(predicted) => Some(predicted),
         }
+    }
+
+    /// Whether a sheet of this thickness, mm, takes the shape clearly on the first net, with the
+    /// folds that it needs.
+    fn takes_in(&self, thickness_mm: f64, screened: &Predicted, watch: &mut dyn Watch) -> bool {
+        let limits = &self.limits.in_thickness(thickness_mm);
+        let thinner = Judge { limits, nets: &NETS[..1], ..*self };
+        let is_clear = |p: Predicted| p.basis == Basis::Computed && p.usage_range()[1] <= 1.0;
+        thinner.judged(screened, watch).is_some_and(is_clear)
     }
 
     fn folds(&self, is_so: impl Fn(usize) -> bool) -> Vec<usize> {
@@ -252,34 +260,6 @@ pub(super) fn by_nets(
         }
     }
     predicted.ok_or(ElasticError::NoNet)
-}
-
-/// The thickest sheet of its kind that takes the shape, mm: as thick as some that does, and by less
-/// than 15 % thinner than some that does not.
-fn thickest_mm(
-    limits: &Limits,
-    mut at_rest: impl FnMut(&Limits) -> Result<Elastic, ElasticError>,
-) -> Option<f64> {
-    let whole = limits.thickness_mm;
-    let mut takes = |thickness_mm: f64| {
-        let limits = limits.in_thickness(thickness_mm);
-        at_rest(&limits).is_ok_and(|s| limits.use_of(s.strain(), s.curvature()) <= 1.0)
-    };
-    let thinnest = THINNEST_SHARE * whole;
-    takes(thinnest).then(|| between(thinnest, whole, takes))
-}
-
-/// The thickest sheet that takes the shape, between one that does and one that does not, mm.
-fn between(mut takes_mm: f64, mut refuses_mm: f64, mut takes: impl FnMut(f64) -> bool) -> f64 {
-    while refuses_mm / takes_mm > THICKNESS_STEP {
-        let middle = (takes_mm * refuses_mm).sqrt();
-        if takes(middle) {
-            takes_mm = middle;
-        } else {
-            refuses_mm = middle;
-        }
-    }
-    takes_mm
 }
 
 /// The stiffness of a sheet of this size, mm. Without a modulus, strains are those of any other:
