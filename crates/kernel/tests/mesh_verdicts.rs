@@ -148,16 +148,15 @@ fn a_strip_twisted_by_60_deg_strains_alike_however_it_was_divided() {
     let rolled = verdicts.iter().zip(&strains).filter(|(verdict, _)| **verdict == Verdict::Roll);
     let rolled: Vec<f64> = rolled.map(|(_, &strain)| strain).collect();
     let [least, most] = [f64::min, f64::max].map(|of| rolled.iter().copied().reduce(of).unwrap());
-    // In two rows that are cut the one way, creases still tell: a quarter more.
-    assert!(rolled.len() > 3 && most < 1.3 * least, "{strains:?}");
-    assert!(least > 6e-4 && most < 1e-3, "{strains:?}");
+    assert!(rolled.len() > 3 && most < 1.25 * least, "{strains:?}");
+    assert!(least > 5e-4 && most < 8e-4, "{strains:?}");
 }
 
 #[test]
 fn a_strip_twisted_by_90_deg_in_one_row_is_no_row_of_folds() {
     let at = helicoid(90.0);
     for (cells, cut) in [([40, 1], Cut::Forth), ([40, 1], Cut::InTurn), ([40, 4], Cut::Back)] {
-        for (thickness_mm, wanted) in [(1.0, Verdict::WillNotBend), (0.3, Verdict::Roll)] {
+        for (thickness_mm, wanted) in [(2.0, Verdict::WillNotBend), (0.3, Verdict::Roll)] {
             let (positions, triangles) = grid(cells, cut, &at);
             let part = made(positions, triangles, Some(steel(thickness_mm)));
             let basis = part.predicted.as_ref().unwrap().basis;
@@ -198,8 +197,8 @@ fn the_thickest_sheet_that_is_named_takes_the_shape() {
     };
     let meshes = [
         (grid([12, 12], Cut::Forth, steep), 0.5),
-        (grid([40, 1], Cut::Forth, helicoid(75.0)), 1.0),
-        (grid([40, 4], Cut::Back, helicoid(75.0)), 1.0),
+        (grid([40, 1], Cut::Forth, helicoid(75.0)), 2.0),
+        (grid([40, 4], Cut::Back, helicoid(75.0)), 2.0),
     ];
     for ((positions, triangles), thickness_mm) in meshes {
         let in_sheet = |mm: f64| made(positions.clone(), triangles.clone(), Some(steel(mm)));
