@@ -7,14 +7,15 @@ use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles}
 use sheetwright::flatten::refold;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Made, Part, make};
-use sheetwright::math::{Point3, cos, sin};
-use sheetwright::mesh::Mesh;
-use sheetwright::nets::coarseness;
+use sheetwright::math::{Point3, Vec3, cos, sin};
+use sheetwright::mesh::{Cut, Mesh};
+use sheetwright::nets::{NetOptions, coarseness, net};
 use sheetwright::pattern::{LabelKind, PathKind, Role};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::low_poly::{animal, helmet, models};
-use sheetwright_shapes::solids::{closed_cone, icosphere, prism};
+use sheetwright_shapes::solids::{archimedean, closed_cone, icosphere, platonic, prism};
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 fn triangles(mesh: &Mesh) -> Triangles {
     let (positions, triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
@@ -48,10 +49,61 @@ fn check_piece(name: &str, part: &Part, size_mm: f64) {
     assert_eq!(part.checked.verdict, verdict, "{name}");
 }
 
+/// How far the cuts of a net are long together, mm, and whether its slits are their own image in a
+/// plane through the middle of the mesh.
+fn slits(mesh: &Mesh, normals: &[Vec3]) -> (f64, bool) {
+    let net = net(mesh, &Cut::new(), &NetOptions::default(), &mut Unwatched).unwrap();
+    assert_eq!(net.pieces, 1);
+    let at = |v: VertexIndex| mesh.position(v);
+    let sides: Vec<[VertexIndex; 2]> =
+        net.slits().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]])).collect();
+    let length = sides.iter().map(|[a, b]| at(*a).distance(at(*b))).sum();
+    let positions = mesh.positions();
+    let sum: Vec3 = positions.iter().map(|p| p.to_vec()).sum();
+    let middle = Point3::from_vec(sum / positions.len() as f64);
+    let is_mirror = |normal: &Vec3| {
+        let image = |v: VertexIndex| {
+            let place = at(v) + *normal * (-2.0 * (at(v) - middle).dot(*normal));
+            positions.iter().position(|p| p.distance(place) < 1e-6).map(VertexIndex::new)
+        };
+        sides.iter().all(|&[a, b]| match (image(a), image(b)) {
+            (Some(a), Some(b)) => sides.contains(&[a, b]) || sides.contains(&[b, a]),
+            _ => false,
+        })
+    };
+    (length, normals.iter().any(is_mirror))
+}
+
+#[test]
+fn nets_of_symmetric_bodies_are_symmetric_and_others_are_as_short_as_can_be() {
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+    let turned = |sides: u32| {
+        let angle = move |n: u32| PI * f64::from(n) / f64::from(2 * sides);
+        (0..2 * sides).map(move |n| Vec3::new(cos(angle(n)), sin(angle(n)), 0.0))
+    };
+    let solids = platonic().into_iter().chain(archimedean());
+    let solids = solids.filter(|(name, _)| ["cube", "octahedron", "truncated cube"].contains(name));
+    for (name, model) in solids.chain([("animal", animal())]) {
+        assert!(slits(&model.mesh(), &axes).1, "{name}");
+    }
+    for sides in [4, 7, 12, 24, 64] {
+        let normals: Vec<Vec3> = axes.into_iter().chain(turned(sides)).collect();
+        assert!(slits(&prism(sides as usize, 80.0).mesh(), &normals).1, "prism {sides}");
+    }
+    for sides in [5, 13, 25] {
+        let normals: Vec<Vec3> = turned(sides).collect();
+        assert!(slits(&closed_cone(sides as usize, 80.0).mesh(), &normals).1, "cone {sides}");
+    }
+    // A symmetric net of a cone with an even number of sides has two long seams in place of one; the
+    // opening of the helmet lies to one side of its middle.
+    let cuts = [closed_cone(64, 80.0), helmet()].map(|model| slits(&model.mesh(), &axes).0);
+    assert!((cuts[0] - 403.0).abs() < 1.0 && (cuts[1] - 4469.0).abs() < 1.0, "{cuts:?}");
+}
+
 /// How often each mark stands on the pieces.
-fn marks(made: &Made) -> BTreeMap<String, usize> {
+fn marks(parts: &[Part]) -> BTreeMap<String, usize> {
     let mut marks = BTreeMap::new();
-    for label in made.parts.iter().flat_map(|part| &part.piece.labels) {
+    for label in parts.iter().flat_map(|part| &part.piece.labels) {
         if label.kind == LabelKind::Mark {
             *marks.entry(label.text.clone()).or_insert(0) += 1;
         }
@@ -69,7 +121,10 @@ fn bodies_of_facets_fold_up_from_one_piece_without_stretching() {
         let made = folded(&mesh);
         assert_eq!(made.parts.len(), 1, "{name}");
         made.parts.iter().for_each(|part| check_piece(&name, part, size_mm));
-        assert!(marks(&made).values().all(|&count| count == 2), "{name}: every mark has a mate");
+        assert!(
+            marks(&made.parts).values().all(|&count| count == 2),
+            "{name}: every mark has a mate"
+        );
     }
 }
 
@@ -229,7 +284,7 @@ fn no_piece_is_larger_than_it_may_be_and_every_edge_that_meets_another_has_its_m
             let size = part.piece.size;
             assert!(size.x <= within[0] + 1e-6 && size.y <= within[1] + 1e-6, "{name}: {size}");
         }
-        let marks = marks(&made);
+        let marks = marks(&made.parts);
         assert!(marks.values().all(|&count| count == 2), "{name}");
         // Marks of slits and of joints together are those of all cut lines.
         let cuts: usize = made

@@ -30,6 +30,16 @@ const MOST_POINTS: usize = 256;
 /// Sides along which a mesh is to be cut, by their numbers among [`Mesh::edges`].
 pub type Cut = BTreeSet<usize>;
 
+/// The sides of a part of a mesh that are of a cut of it; `vertices` are those of the part by their
+/// numbers in the mesh.
+pub fn cut_of_part(mesh: &Mesh, cut: &Cut, part: &Mesh, vertices: &[VertexIndex]) -> Cut {
+    let is_cut = |n: &usize| {
+        let [a, b] = part.edges()[*n].ends.map(|end| vertices[end.get()]);
+        mesh.topology().edge_between(a, b).is_some_and(|n| cut.contains(&n))
+    };
+    (0..part.edges().len()).filter(|_| !cut.is_empty()).filter(is_cut).collect()
+}
+
 /// The angle defect of every vertex, radians: a full turn, or half a turn on the border, less the
 /// sum of its angles.
 pub fn angle_defects(mesh: &Mesh) -> Vec<f64> {

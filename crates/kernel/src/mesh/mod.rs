@@ -23,7 +23,7 @@ pub use along::SeamFault;
 pub(crate) use along::{Before, sides_along};
 pub(crate) use corners::separated;
 pub use crease::{SCORED_CREASE_DEG, crease_angles, scored_creases};
-pub use cut::{Cut, angle_defects, cut_through, cut_to_disk, worst_points};
+pub use cut::{Cut, angle_defects, cut_of_part, cut_through, cut_to_disk, worst_points};
 pub use error::MeshError;
 pub use heal::{Damage, Healed, Healing, healed};
 pub use skins::{Skin, Skins, two_skins};

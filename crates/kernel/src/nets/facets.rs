@@ -63,6 +63,8 @@ pub(super) struct Facets {
     pub(super) positions: Vec<Point3>,
     /// The size of the mesh, mm.
     pub(super) size_mm: f64,
+    /// Rounding keeps points that are meant to be one as near as this, mm.
+    pub(super) near_mm: f64,
 }
 
 impl Facets {
@@ -87,7 +89,9 @@ impl Facets {
         });
         let first_numbers = first.collect();
         let hinges = Vec::new();
-        let mut facets = Self { list, hinges, first_numbers, positions, size_mm, of_triangle };
+        let near_mm = rounding.between_mm();
+        let mut facets =
+            Self { list, hinges, first_numbers, positions, size_mm, near_mm, of_triangle };
         for line in lines(mesh, &facets.of_triangle, seams) {
             facets.add_hinge(mesh, line, seams);
         }

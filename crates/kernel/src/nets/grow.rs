@@ -1,6 +1,7 @@
 //! Pieces of a net, and how two of them become one.
 
 use super::facets::{Facets, Hinge};
+use super::mirror::Mirror;
 use super::order::seam_cost;
 use super::overlap::{APART, Side, is_inside, meet, reaches_into};
 use crate::flatten::{Motion, fits_in};
@@ -27,6 +28,8 @@ const FACET_WORK: usize = 20;
 pub(super) struct Pieces<'a> {
     pub(super) facets: &'a Facets,
     within_mm: Option<[f64; 2]>,
+    /// The mirror that they are symmetric to, if they are to be.
+    pub(super) mirror: Option<&'a Mirror>,
     /// The piece of each facet.
     pub(super) of_facet: Vec<usize>,
     /// The facets of each piece; none of a piece that became part of another.
@@ -84,7 +87,11 @@ impl Laid {
 
 impl<'a> Pieces<'a> {
     /// Every facet by itself.
-    pub(super) fn new(facets: &'a Facets, within_mm: Option<[f64; 2]>) -> Self {
+    pub(super) fn new(
+        facets: &'a Facets,
+        within_mm: Option<[f64; 2]>,
+        mirror: Option<&'a Mirror>,
+    ) -> Self {
         let laid = facets.list.iter().enumerate().map(|(n, facet)| {
             Laid::new(facet.points.clone(), facets.own_numbers(n).collect(), facet.inside)
         });
@@ -93,6 +100,7 @@ impl<'a> Pieces<'a> {
         Self {
             facets,
             within_mm,
+            mirror,
             of_facet: (0..count).collect(),
             members: (0..count).map(|n| vec![n]).collect(),
             folded: vec![false; facets.hinges.len()],
@@ -131,8 +139,36 @@ impl<'a> Pieces<'a> {
         true
     }
 
-    /// Folds a hinge if it joins two pieces that do not overlap then; whether it did.
+    /// Folds a hinge if it joins two pieces that do not overlap then, and its image with it; whether
+    /// it did.
     pub(super) fn fold(&mut self, hinge: usize) -> bool {
+        let image = self.mirror.map_or(hinge, |mirror| mirror.image(hinge));
+        if image == hinge {
+            return self.fold_alone(hinge);
+        }
+        // Both would join the same two pieces, in a ring.
+        let joined = [hinge, image].map(|n| {
+            let mut pieces = self.facets.hinges[n].facets.map(|f| self.of_facet[f]);
+            pieces.sort_unstable();
+            pieces
+        });
+        if joined[0] == joined[1] || !self.fold_alone(hinge) {
+            return false;
+        }
+        if self.folded[image] || self.fold_alone(image) {
+            return true;
+        }
+        self.unfold_alone(&[hinge]);
+        false
+    }
+
+    /// Whether the image of every fold is one.
+    pub(super) fn is_symmetric(&self) -> bool {
+        let Some(mirror) = self.mirror else { return false };
+        (0..self.folded.len()).all(|n| self.folded[n] == self.folded[mirror.image(n)])
+    }
+
+    fn fold_alone(&mut self, hinge: usize) -> bool {
         let Hinge { facets: of, is_seam, .. } = self.facets.hinges[hinge];
         let [a, b] = of.map(|f| self.of_facet[f]);
         if a == b || is_seam {
@@ -277,10 +313,15 @@ impl<'a> Pieces<'a> {
                     continue;
                 }
                 let of_other = other.sides(&self.facets.list[f].border);
-                work += own.len() * of_other.len();
-                let crosses = || own.iter().any(|a| of_other.iter().any(|b| meet(a, b, apart_mm)));
-                if crosses()
-                    || is_inside(moved[n].inside, &of_other)
+                let pairs = own.len() * of_other.len();
+                work += pairs;
+                if own.iter().any(|a| of_other.iter().any(|b| meet(a, b, apart_mm))) {
+                    overlaps = true;
+                    break 'all;
+                }
+                // What reaches into the other is looked for among as many pairs, both ways.
+                work += 2 * pairs;
+                if is_inside(moved[n].inside, &of_other)
                     || is_inside(other.inside, &own)
                     || reaches_into(&own, &of_other)
                     || reaches_into(&of_other, &own)
@@ -294,8 +335,16 @@ impl<'a> Pieces<'a> {
         overlaps
     }
 
-    /// Takes some hinges out of the folds and parts their pieces there.
+    /// Takes some hinges and their images out of the folds and parts their pieces there.
     pub(super) fn unfold(&mut self, hinges: &[usize]) {
+        let Some(mirror) = self.mirror else { return self.unfold_alone(hinges) };
+        let mut both: Vec<usize> = hinges.iter().flat_map(|&n| [n, mirror.image(n)]).collect();
+        both.sort_unstable();
+        both.dedup();
+        self.unfold_alone(&both);
+    }
+
+    fn unfold_alone(&mut self, hinges: &[usize]) {
         let mut touched: Vec<usize> = Vec::new();
         for &n in hinges.iter().filter(|&&n| self.folded[n]) {
             touched.push(self.of_facet[self.facets.hinges[n].facets[0]]);

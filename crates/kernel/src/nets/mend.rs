@@ -2,14 +2,13 @@
 //! Then shorter cuts, less seen: a cut is folded in place of a cheaper fold of its piece, if the
 //! piece does not overlap then.
 
+use super::facets::Facets;
 use super::grow::Pieces;
 use super::order::{by, seam_cost};
 use sheetwright_geometry::random::Random;
 use sheetwright_geometry::watch::Watch;
 use std::collections::VecDeque;
 
-/// Pairs of facets and of sides that may be compared, at the most: about a second.
-const MOST_WORK: usize = 60_000_000;
 /// Tries without success before it ends.
 const MOST_TRIES: usize = 300;
 
@@ -22,18 +21,24 @@ const MOST_SWAPS: usize = 2;
 /// How often all cuts are gone through.
 const ROUNDS: usize = 4;
 
-/// The pieces with as few of them as tries give; `None` if the watcher asks to stop.
-pub(super) fn mended<'a>(mut best: Pieces<'a>, watch: &mut dyn Watch) -> Option<Pieces<'a>> {
+/// The pieces with as few of them as tries give, down to `enough`; `None` if the watcher asks to
+/// stop.
+pub(super) fn mended<'a>(
+    mut best: Pieces<'a>,
+    enough: usize,
+    left: &mut usize,
+    watch: &mut dyn Watch,
+) -> Option<Pieces<'a>> {
     let mut random = Random::new(39);
-    let components = components(&best);
     let mut tries = 0;
     best.work = 0;
-    while best.count() > components && tries < MOST_TRIES && best.work < MOST_WORK {
+    let mut work = 0;
+    while best.count() > enough && tries < MOST_TRIES && work < *left {
         let mut tried = best.clone();
         if !change(&mut tried, &mut random, watch) {
             return None;
         }
-        best.work = tried.work + COPY_WORK * tried.facets.list.len();
+        work += std::mem::take(&mut tried.work) + COPY_WORK * tried.facets.list.len();
         if is_no_worse(&tried, &best) {
             if tried.count() < best.count() {
                 tries = 0;
@@ -42,16 +47,25 @@ pub(super) fn mended<'a>(mut best: Pieces<'a>, watch: &mut dyn Watch) -> Option<
         }
         tries += 1;
     }
+    *left = left.saturating_sub(work);
     Some(best)
 }
 
 /// The pieces with shorter cuts: as many as before; `None` if the watcher asks to stop.
-pub(super) fn tidied<'a>(mut pieces: Pieces<'a>, watch: &mut dyn Watch) -> Option<Pieces<'a>> {
+pub(super) fn tidied<'a>(
+    mut pieces: Pieces<'a>,
+    left: &mut usize,
+    watch: &mut dyn Watch,
+) -> Option<Pieces<'a>> {
     let facets = pieces.facets;
-    let cost = |n: usize| seam_cost(facets, n);
+    let image = |n: usize| pieces.mirror.map_or(n, |mirror| mirror.image(n));
+    let images: Vec<usize> = (0..facets.hinges.len()).map(image).collect();
+    let cost = |n: usize| 0.5 * (seam_cost(facets, n) + seam_cost(facets, images[n]));
+    // A pair of folds takes the place of a pair of cuts, one of one.
+    let takes_place = |fold: usize, cut: usize| (images[fold] == fold) == (images[cut] == cut);
     let dearest = by(facets, |n| -cost(n) / facets.size_mm);
     pieces.work = 0;
-    for _ in 0..ROUNDS {
+    'rounds: for _ in 0..ROUNDS {
         // Rounding might keep a fold from being folded again.
         let before = pieces.clone();
         if watch.stop() {
@@ -64,13 +78,14 @@ pub(super) fn tidied<'a>(mut pieces: Pieces<'a>, watch: &mut dyn Watch) -> Optio
             if is_given || pieces.folded[cut] || pieces.of_facet[a] != pieces.of_facet[b] {
                 continue;
             }
-            if pieces.work > MOST_WORK {
-                return Some(pieces);
+            if pieces.work > *left {
+                break 'rounds;
             }
             pieces.work += facets.list.len();
             let mut way = way(&pieces, a, b);
             way.sort_by(|&m, &n| cost(m).total_cmp(&cost(n)).then(m.cmp(&n)));
-            let cheaper = way.into_iter().filter(|&n| cost(n) < WORTH_IT * cost(cut));
+            let cheaper =
+                way.into_iter().filter(|&n| takes_place(n, cut) && cost(n) < WORTH_IT * cost(cut));
             for fold in cheaper.take(MOST_SWAPS) {
                 pieces.unfold(&[fold]);
                 // Round a flat vertex, the fold closed again by itself.
@@ -90,6 +105,7 @@ pub(super) fn tidied<'a>(mut pieces: Pieces<'a>, watch: &mut dyn Watch) -> Optio
             break;
         }
     }
+    *left = left.saturating_sub(pieces.work);
     Some(pieces)
 }
 
@@ -176,6 +192,8 @@ fn change(pieces: &mut Pieces<'_>, random: &mut Random, watch: &mut dyn Watch) -
         a != b && (touched[a] || touched[b])
     };
     let order: Vec<usize> = order.into_iter().filter(joins).collect();
+    let order =
+        pieces.mirror.map_or(order.clone(), |mirror| mirror.arranged(facets, &order, false));
     pieces.grow(&order, watch)
 }
 
@@ -189,8 +207,7 @@ fn is_no_worse(tried: &Pieces<'_>, best: &Pieces<'_>) -> bool {
 }
 
 /// How many pieces there are at the least: facets that hang together at all.
-fn components(pieces: &Pieces<'_>) -> usize {
-    let facets = pieces.facets;
+pub(super) fn components(facets: &Facets) -> usize {
     let mut sets = sheetwright_geometry::disjoint::DisjointSets::new(facets.list.len());
     let open = facets.hinges.iter().filter(|h| !h.is_seam);
     let joins = open.filter(|h| sets.join(h.facets[0], h.facets[1])).count();

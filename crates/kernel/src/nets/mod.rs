@@ -19,9 +19,13 @@
 //!    with facets around it, and grown again in another order; the result is kept if there are
 //!    fewer pieces, or if more facets are in large ones; \[Takahashi2011\] do so by a genetic
 //!    algorithm.
-//! 4. Last, cuts are made shorter and less seen: one is folded in place of a cheaper fold.
+//! 4. Cuts are made shorter and less seen: one is folded in place of a cheaper fold.
+//! 5. A body that is its own image in a plane (`mirror`) gets a net that is, too, if that has no more
+//!    pieces and its cuts are hardly longer: it grows, and is mended and tidied, by pairs of hinges,
+//!    of which both are folded or none. Such a net is easier to put together.
 //!
-//! The number of comparisons of facets bounds the search, so it is the same on every machine.
+//! Each body of a mesh is a net by itself. The number of comparisons of facets bounds the search, so
+//! it is the same on every machine.
 //!
 //! Out of sight is below and at the back: the model stands on a table, its top towards +z, and is
 //! looked at from the front, which is −y, as in the editor's views.
@@ -33,6 +37,7 @@ mod facets;
 mod grow;
 mod meant;
 mod mend;
+mod mirror;
 mod order;
 mod overlap;
 mod planes;
@@ -40,10 +45,11 @@ mod rounding;
 
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
 
-use crate::mesh::{Cut, Mesh};
+use crate::mesh::{Cut, Mesh, cut_of_part};
 use crate::sheet::Sheet;
 use facets::Facets;
 use grow::Pieces;
+use mirror::{Mirror, mirrors};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::watch::Watch;
 
@@ -76,46 +82,148 @@ struct NetCut {
     parts: bool,
 }
 
-/// Once so many pairs are compared, no further orders are tried: about two seconds.
-const MOST_WORK: usize = 150_000_000;
+/// Work of trying orders, in pairs that are compared: about two seconds.
+const MOST_GROWING: usize = 200_000_000;
+/// Work of mending: about a second.
+const MOST_MENDING: usize = 100_000_000;
+/// Work of tidying: about a second.
+const MOST_TIDYING: usize = 100_000_000;
+/// The cuts of a symmetric net may cost so many times as much: a cone of an even number of sides
+/// would have two long seams in place of one, 1.2 times as much.
+const MOST_COST: f64 = 1.1;
+/// Mirrors in which a symmetric net is tried.
+const MOST_MIRRORS: usize = 3;
 
-/// The net of a mesh with the fewest pieces that were found, which is cut along `seams` wherever
-/// they part two facets; `None` if the watcher asks to stop.
-pub fn net(mesh: &Mesh, seams: &Cut, options: &NetOptions, watch: &mut dyn Watch) -> Option<Net> {
-    let facets = Facets::of(mesh, seams);
-    let pieces = best(&facets, options, watch)?;
-    let cut = |(n, hinge): (usize, &facets::Hinge)| {
-        let [a, b] = hinge.facets.map(|f| pieces.of_facet[f]);
-        (!pieces.folded[n]).then(|| NetCut { line: hinge.line.clone(), parts: a != b })
-    };
-    let cuts = facets.hinges.iter().enumerate().filter_map(cut).collect();
-    let (count, of_triangle) = (pieces.count(), facets.of_triangle.clone());
-    Some(Net { facets: facets.list.len(), pieces: count, cuts, of_triangle })
+/// The work that is left for a body.
+struct Left {
+    growing: usize,
+    mending: usize,
+    tidying: usize,
 }
 
-fn best<'a>(facets: &'a Facets, options: &NetOptions, watch: &mut dyn Watch) -> Option<Pieces<'a>> {
-    let empty = Pieces::new(facets, options.within_mm);
-    let mut best: Option<Pieces<'a>> = None;
-    let mut work = 0;
-    for order in order::orders(facets) {
-        if work > MOST_WORK {
+impl Left {
+    /// The work for a body with this share of a mesh.
+    fn of_share(share: f64) -> Self {
+        let part = |most: usize| (most as f64 * share) as usize;
+        let [growing, mending] = [MOST_GROWING, MOST_MENDING].map(part);
+        Self { growing, mending, tidying: part(MOST_TIDYING) }
+    }
+}
+
+/// The net of a mesh with the fewest pieces that were found, each of its bodies by itself; it is cut
+/// along `seams` wherever they part two facets. `None` if the watcher asks to stop.
+pub fn net(mesh: &Mesh, seams: &Cut, options: &NetOptions, watch: &mut dyn Watch) -> Option<Net> {
+    let of_triangle = vec![0; mesh.triangles().len()];
+    let mut net = Net { facets: 0, pieces: 0, cuts: Vec::new(), of_triangle };
+    let bodies = match mesh.components() {
+        [_] => None,
+        components => components.iter().map(|body| mesh.part(&body.triangles).ok()).collect(),
+    };
+    let Some(bodies): Option<Vec<(Mesh, Vec<VertexIndex>)>> = bodies else {
+        let all: Vec<TriangleIndex> = (0..mesh.triangles().len()).map(TriangleIndex::new).collect();
+        net.add(mesh, &all, |v| v, seams, options, watch)?;
+        return Some(net);
+    };
+    for ((body, vertices), component) in bodies.iter().zip(mesh.components()) {
+        let seams = cut_of_part(mesh, seams, body, vertices);
+        let of_mesh = |v: VertexIndex| vertices[v.get()];
+        net.add(body, &component.triangles, of_mesh, &seams, options, watch)?;
+    }
+    Some(net)
+}
+
+/// The best pieces of a body: those with the fewest that were found; symmetric ones, if there are
+/// no more of them and their cuts hardly cost more.
+fn best<'a>(
+    facets: &'a Facets,
+    mirrors: &'a [Mirror],
+    options: &NetOptions,
+    mut left: Left,
+    watch: &mut dyn Watch,
+) -> Option<Pieces<'a>> {
+    let orders = order::orders(facets);
+    let each = |mirror| Pieces::new(facets, options.within_mm, mirror);
+    let pieces = grown(&each(None), orders.iter().cloned(), &mut left.growing, watch)?;
+    let pieces = mend::mended(pieces, mend::components(facets), &mut left.mending, watch)?;
+    let mut best = mend::tidied(pieces, &mut left.tidying, watch)?;
+    let (count, most_cost) = (best.count(), MOST_COST * best.cost());
+    let mut is_symmetric = false;
+    for mirror in mirrors.iter().filter(|mirror| mirror.least_pieces <= count).take(MOST_MIRRORS) {
+        if left.growing == 0 {
             break;
         }
-        let mut pieces = empty.clone();
+        let arranged = [true, false].into_iter().flat_map(|middle_first| {
+            orders.iter().map(move |order| mirror.arranged(facets, order, middle_first))
+        });
+        let pieces = grown(&each(Some(mirror)), arranged, &mut left.growing, watch)?;
+        let pieces = mend::mended(pieces, count, &mut left.mending, watch)?;
+        if pieces.count() > count {
+            continue;
+        }
+        let pieces = mend::tidied(pieces, &mut left.tidying, watch)?;
+        let is_worth_it = pieces.cost() <= most_cost && pieces.is_symmetric();
+        if is_worth_it && (!is_symmetric || pieces.is_better(&best)) {
+            (best, is_symmetric) = (pieces, true);
+        }
+    }
+    Some(best)
+}
+
+/// Pieces that are grown in several orders, the best of them; the first order is tried whatever
+/// work is left. `None` if the watcher asks to stop.
+fn grown<'a>(
+    each: &Pieces<'a>,
+    orders: impl Iterator<Item = Vec<usize>>,
+    left: &mut usize,
+    watch: &mut dyn Watch,
+) -> Option<Pieces<'a>> {
+    let mut best: Option<Pieces<'a>> = None;
+    for order in orders {
+        if best.is_some() && *left == 0 {
+            break;
+        }
+        let mut pieces = each.clone();
         if !pieces.grow(&order, watch) {
             return None;
         }
-        work += pieces.work;
+        *left = left.saturating_sub(pieces.work);
         best = Some(match best {
             Some(best) if !pieces.is_better(&best) => best,
             _ => pieces,
         });
     }
-    let mended = mend::mended(best.unwrap_or(empty), watch)?;
-    mend::tidied(mended, watch)
+    Some(best.unwrap_or_else(|| each.clone()))
 }
 
 impl Net {
+    /// Adds the net of a body, which are these triangles of the mesh, and whose vertices are
+    /// `of_mesh` there; `None` if the watcher asks to stop.
+    fn add(
+        &mut self,
+        body: &Mesh,
+        triangles: &[TriangleIndex],
+        of_mesh: impl Fn(VertexIndex) -> VertexIndex,
+        seams: &Cut,
+        options: &NetOptions,
+        watch: &mut dyn Watch,
+    ) -> Option<()> {
+        let facets = Facets::of(body, seams);
+        let mirrors = mirrors(&facets);
+        let left = Left::of_share(triangles.len() as f64 / self.of_triangle.len() as f64);
+        let pieces = best(&facets, &mirrors, options, left, watch)?;
+        for (n, hinge) in facets.hinges.iter().enumerate().filter(|&(n, _)| !pieces.folded[n]) {
+            let [a, b] = facets.hinges[n].facets.map(|f| pieces.of_facet[f]);
+            let line = hinge.line.iter().map(|&v| of_mesh(v)).collect();
+            self.cuts.push(NetCut { line, parts: a != b });
+        }
+        for (t, facet) in triangles.iter().zip(&facets.of_triangle) {
+            self.of_triangle[t.get()] = self.facets + facet;
+        }
+        self.facets += facets.list.len();
+        self.pieces += pieces.count();
+        Some(())
+    }
+
     /// The facet of a triangle of the mesh.
     pub fn facet_of(&self, triangle: TriangleIndex) -> usize {
         self.of_triangle[triangle.get()]

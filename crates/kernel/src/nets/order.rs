@@ -15,7 +15,7 @@ const CONCAVE: f64 = 1.0;
 const LENGTH: f64 = -0.05;
 
 /// The direction in which cuts are least seen: to the back and below.
-const HIDDEN: Vec3 =
+pub(super) const HIDDEN: Vec3 =
     Vec3::new(0.0, std::f64::consts::FRAC_1_SQRT_2, -std::f64::consts::FRAC_1_SQRT_2);
 
 /// The orders in which hinges are tried, those to fold first in front.

@@ -45,6 +45,12 @@ impl Rounding {
         Self { least_mm: SIX_DIGITS * size_mm, step_mm: step.unwrap_or(0.0) }
     }
 
+    /// The distance between two points that rounding explains, mm.
+    pub(super) fn between_mm(&self) -> f64 {
+        // Each is off by half a step in each coordinate, along a diagonal at most.
+        self.least_mm.max(MARGIN * 3.0_f64.sqrt() * self.step_mm)
+    }
+
     /// The distance from a plane of this unit normal that rounding explains at a triangle of this
     /// least height, mm.
     pub(super) fn off_plane_mm(&self, normal: Vec3, height_mm: f64) -> f64 {
