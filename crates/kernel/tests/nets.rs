@@ -100,6 +100,48 @@ fn nets_of_symmetric_bodies_are_symmetric_and_others_are_as_short_as_can_be() {
     assert!((cuts[0] - 403.0).abs() < 1.0 && (cuts[1] - 4469.0).abs() < 1.0, "{cuts:?}");
 }
 
+#[test]
+fn each_body_of_a_mesh_is_folded_or_bent_by_itself() {
+    // 24 solids of 92 facets, 2,208 together; a fine ball samples a smooth one.
+    let snub = archimedean().into_iter().find(|(name, _)| *name == "snub dodecahedron");
+    let solid = snub.unwrap().1;
+    let ball = icosphere(3);
+    let (mut positions, mut list) = (Vec::new(), Vec::new());
+    for n in 0..25 {
+        let mesh = if n == 7 { ball.mesh() } else { solid.mesh() };
+        let first = positions.len();
+        let beside = Vec3::new(200.0 * f64::from(n), 0.0, 0.0);
+        positions.extend(mesh.positions().iter().map(|&p| p + beside));
+        let corner = |v: VertexIndex| VertexIndex::new(first + v.get());
+        list.extend(mesh.triangles().iter().map(|corners| corners.map(corner)));
+    }
+    let whole = Mesh::new(positions, list).unwrap();
+    assert!(!coarseness(&whole).has_few());
+    let made = made_as(PanelMesh::new(triangles(&whole)));
+    assert_eq!(made.parts.len(), 25);
+    let folded = |part: &&Part| part.given().unwrap().is_net;
+    let (nets, smooth): (Vec<&Part>, Vec<&Part>) = made.parts.iter().partition(folded);
+    let [smooth] = &smooth[..] else { panic!("{} smooth parts", smooth.len()) };
+    assert!(
+        smooth.measures.length_error_max > 0.01 && smooth.sheet.mesh().triangles().len() == 1280
+    );
+    for part in nets {
+        check_piece(&part.name, part, 200.0);
+        let meant = part.checked.findings.iter().find_map(|finding| match finding.kind {
+            FindingKind::FacetsMeant { facets, .. } => Some(facets),
+            _ => None,
+        });
+        assert_eq!(meant, Some(92), "{}", part.name);
+    }
+    // Names are those of one panel, in order; each body has seams of its own.
+    let names = made.parts.iter().enumerate();
+    assert!(names.clone().all(|(n, part)| part.name == format!("net-{}", n + 1)));
+    for part in &made.parts {
+        let marks = marks(std::slice::from_ref(part));
+        assert!(marks.values().all(|&count| count == 2), "{}: {marks:?}", part.name);
+    }
+}
+
 /// How often each mark stands on the pieces.
 fn marks(parts: &[Part]) -> BTreeMap<String, usize> {
     let mut marks = BTreeMap::new();

@@ -7,7 +7,7 @@ use crate::check::{FacetsMeant, Finding, FindingKind, Verdict};
 use crate::design::PanelMesh;
 use crate::flatten::{Aim, Ended, FlattenError, Relaxed, unfold};
 use crate::material::Material;
-use crate::mesh::{Cut, Mesh};
+use crate::mesh::{Component, Cut, Mesh};
 use crate::nets::{Coarseness, NetOptions, coarseness, net};
 use crate::sheet::{Sheet, cut_along_lines};
 use sheetwright_geometry::index::VertexIndex;
@@ -24,17 +24,17 @@ pub(super) struct NetPiece {
     faces: Vec<usize>,
     /// The number of slits of the pieces before it.
     first_seam: usize,
-    /// Why the mesh is folded by itself, if it is; told of the first piece alone.
+    /// Why its body is folded by itself, if it is; told of the first piece alone.
     pub(super) meant: Option<FacetsMeant>,
 }
 
 /// A mesh taken apart into the pieces of its net, which is cut along `seams`, and the net of each,
-/// in the order of the components.
+/// in the order of the components. Where it is folded by itself, `meant` says why, for each body.
 pub(super) fn divided(
     whole: &Mesh,
     seams: &Cut,
     settings: &PanelMesh,
-    meant: Option<FacetsMeant>,
+    meant: &[FacetsMeant],
     watch: &mut dyn Watch,
 ) -> Result<(Sheet, Vec<NetPiece>), MakeCause> {
     let options = NetOptions { within_mm: settings.pieces_within_mm };
@@ -51,13 +51,16 @@ pub(super) fn divided(
         let in_piece = steps.iter().map(|&(triangle, corners)| (places[triangle].1, corners));
         slits[places[first].0].push(in_piece.collect());
     }
+    let bodies = super::seams::places(whole, whole);
+    let mut meant: Vec<Option<FacetsMeant>> = meant.iter().copied().map(Some).collect();
     let mut before = 0;
-    let pieces = slits.into_iter().zip(apart.components()).enumerate();
-    let pieces = pieces.map(|(n, (slits, component))| {
+    let pieces = slits.into_iter().zip(apart.components()).map(|(slits, component)| {
         let first_seam = before;
         before += slits.len();
         let faces = component.triangles.iter().map(|&t| net.facet_of(t)).collect();
-        NetPiece { slits, faces, first_seam, meant: meant.filter(|_| n == 0) }
+        let (body, _) = bodies[component.triangles[0].get()];
+        let meant = meant.get_mut(body).and_then(Option::take);
+        NetPiece { slits, faces, first_seam, meant }
     });
     let pieces = pieces.collect();
     Ok((sheet, pieces))
@@ -85,8 +88,9 @@ impl NetPiece {
 
 /// What is done about the facets of a mesh whose settings leave it open.
 pub(super) enum Folding {
-    /// They are folded: as one surface the mesh has a fault, and its facets are meant.
-    Meant(FacetsMeant),
+    /// Those of some bodies are folded, for each of which it says why: as one surface it has a
+    /// fault, and its facets are meant.
+    Meant(Vec<Option<FacetsMeant>>),
     /// A note says that they can be: the mesh has a fault, but may sample a smooth shape.
     Offered(Coarseness),
 }
@@ -108,43 +112,72 @@ impl Fault {
         }
     }
 
-    /// That of a mesh in these parts, the worst; of a mesh that can't be laid flat as a surface, if
-    /// a net helps.
-    fn of_all(smooth: &Result<Vec<Part>, MakeError>) -> Option<Self> {
-        match smooth {
-            Ok(parts) => {
-                let mut faults = parts.iter().filter_map(Self::of);
-                let first = faults.next()?;
-                Some(if faults.all(|fault| fault == first) { first } else { Self::Stiff })
+    /// The worst of each body of a mesh in these parts, which are of these bodies; of bodies that
+    /// can't be laid flat as a surface, if a net helps.
+    fn of_bodies(
+        smooth: &Result<Vec<Part>, MakeError>,
+        body_of: &[usize],
+        count: usize,
+    ) -> Vec<Option<Self>> {
+        let parts = match smooth {
+            Ok(parts) => parts,
+            Err(error) => {
+                let helps = matches!(error.cause, MakeCause::Relax(_));
+                return vec![helps.then_some(Self::Stiff); count];
             }
-            Err(error) => matches!(error.cause, MakeCause::Relax(_)).then_some(Self::Stiff),
+        };
+        let mut worst = vec![None; count];
+        for (part, &body) in parts.iter().zip(body_of) {
+            worst[body] = match (worst[body], Self::of(part)) {
+                (Some(known), Some(fault)) if known != fault => Some(Self::Stiff),
+                (known, fault) => known.or(fault),
+            };
         }
+        worst
     }
 }
 
-/// What is done about the facets of a mesh that was laid flat as a surface, in the parts `smooth`;
-/// `None` where settings say how it is laid flat, the sheet does not fold, the mesh has no fault,
-/// or it is a strip.
+/// What is done about the facets of a mesh that was laid flat as a surface, in the parts `smooth`,
+/// which are of these bodies. Each body is judged by itself. `None` where settings say how it is
+/// laid flat, the sheet does not fold, the mesh has no fault, or it is a strip.
 pub(super) fn folding(
     settings: &PanelMesh,
     material: Option<&Material>,
     whole: &Mesh,
     smooth: &Result<Vec<Part>, MakeError>,
+    body_of: &[usize],
 ) -> Option<Folding> {
     let is_open = settings.facets.is_none()
         && settings.split_creases.is_none()
         && !settings.darts
         && settings.aim == Aim::Mean;
-    let fault =
-        Fault::of_all(smooth).filter(|_| is_open && material.is_none_or(Material::folds))?;
-    // A strip lies flat exactly as a surface: what is asked for is how it bends.
-    if !whole.topology().on_border().contains(&false) {
+    if !is_open || !material.is_none_or(Material::folds) {
         return None;
     }
-    let coarse = coarseness(whole);
-    if coarse.is_meant() {
-        return Some(Folding::Meant(FacetsMeant { coarse, overlaps: fault == Fault::Overlap }));
+    let bodies = whole.components();
+    let faults = Fault::of_bodies(smooth, body_of, bodies.len());
+    // A strip lies flat exactly as a surface: what is asked for is how it bends.
+    let on_border = whole.topology().on_border();
+    let is_strip = |body: &Component| body.vertices.iter().all(|v| on_border[v.get()]);
+    let faulty = bodies.iter().zip(faults);
+    let faulty = faulty.map(|(body, fault)| (body, fault.filter(|_| !is_strip(body))));
+    let meant = faulty.map(|(body, fault)| {
+        let fault = fault?;
+        let coarse = match bodies.len() {
+            1 => coarseness(whole),
+            _ => coarseness(&whole.part(&body.triangles).ok()?.0),
+        };
+        let overlaps = fault == Fault::Overlap;
+        Some((coarse, coarse.is_meant().then_some(FacetsMeant { coarse, overlaps })))
+    });
+    let judged: Vec<Option<(Coarseness, Option<FacetsMeant>)>> = meant.collect();
+    if judged.iter().flatten().any(|(_, meant)| meant.is_some()) {
+        let meant = judged.into_iter().map(|judged| judged.and_then(|(_, meant)| meant));
+        return Some(Folding::Meant(meant.collect()));
     }
+    // The whole mesh would be folded.
+    let known = judged.into_iter().flatten().next()?.0;
+    let coarse = if bodies.len() == 1 { known } else { coarseness(whole) };
     coarse.has_few().then_some(Folding::Offered(coarse))
 }
 

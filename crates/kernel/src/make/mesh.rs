@@ -11,19 +11,22 @@ use super::facets::{self, Folding, NetPiece};
 use super::laid::Laid;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
-use super::seams::{Sewn, Side, seams_within};
+use super::seams::{Sewn, Side, places, seams_within};
 use super::skins::with_skin;
 use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
 use crate::bend::{FOLDED_DEG, FoldTool, Mitred, crease, rounded};
-use crate::check::{CheckedFrom, FindingKind, MeshOrigin, NetOrigin, Subject, check, mitred_folds};
+use crate::check::{
+    CheckedFrom, FacetsMeant, FindingKind, MeshOrigin, NetOrigin, Subject, check, mitred_folds,
+};
 use crate::design::{Bends, Design, DesignPanel, PanelMesh, Thick};
 use crate::elastic::screen_given;
 use crate::flatten::{Aim, FlattenError, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, cut_suggestion, distortion, measures};
 use crate::mesh::{
-    Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, separated, sides_along,
+    Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, cut_of_part, separated,
+    sides_along,
 };
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_at};
@@ -59,23 +62,24 @@ pub(super) fn make_mesh(
 ) -> Result<Vec<Part>, MakeError> {
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
     let whole = Whole::of(cleaned, settings, watch).map_err(failed)?;
-    let folded = |meant, watch: &mut dyn Watch| {
-        let net =
-            facets::divided(&whole.mesh, &whole.seams, settings, meant, watch).map_err(failed)?;
-        let pieces = pieces_of(cleaned, &whole, Some(net)).map_err(failed)?;
-        make_parts(design, panel, settings, pieces, judging, watch)
-    };
     if settings.facets == Some(true) {
-        return folded(None, watch);
+        let pieces = whole.net(cleaned, settings, &[], watch).map_err(failed)?;
+        return make_parts(design, panel, settings, pieces, judging, watch);
     }
-    let divided = whole.divided(settings).map_err(failed)?.map(|sheet| (sheet, Vec::new()));
+    let divided = whole.divided(settings).map_err(failed)?;
+    let body_of = whole.bodies_of(divided.as_ref());
+    let divided = divided.map(|sheet| (sheet, Vec::new()));
     let pieces = pieces_of(cleaned, &whole, divided).map_err(failed)?;
     let mut smooth = make_parts(design, panel, settings, pieces, judging, watch);
     // A plate with two skins is sheet that bends, however coarse it came.
-    let is_plate = whole.skins.is_some();
-    match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth) {
-        _ if is_plate => smooth,
-        Some(Folding::Meant(coarse)) if !watch.stop() => folded(Some(coarse), watch),
+    if whole.skins.is_some() {
+        return smooth;
+    }
+    match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth, &body_of) {
+        Some(Folding::Meant(meant)) if !watch.stop() => {
+            let pieces = whole.folded(cleaned, settings, &meant, watch).map_err(failed)?;
+            make_parts(design, panel, settings, pieces, judging, watch)
+        }
         Some(Folding::Offered(coarse)) => {
             smooth.iter_mut().for_each(|parts| facets::offer(parts, coarse));
             smooth
@@ -184,6 +188,75 @@ impl Whole {
         sheet.map(Some).map_err(|error| self.bad(error))
     }
 
+    /// The body of each piece of the mesh as it was divided.
+    fn bodies_of(&self, divided: Option<&Sheet>) -> Vec<usize> {
+        let places = places(&self.mesh, &self.mesh);
+        let pieces = divided.map_or(&self.mesh, Sheet::mesh).components();
+        pieces.iter().map(|piece| places[piece.triangles[0].get()].0).collect()
+    }
+
+    /// The pieces of its net; where it is folded by itself, `meant` says why, for each body.
+    fn net(
+        &self,
+        cleaned: &Cleaned,
+        settings: &PanelMesh,
+        meant: &[FacetsMeant],
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<MeshPiece>, MakeCause> {
+        let net = facets::divided(&self.mesh, &self.seams, settings, meant, watch)?;
+        pieces_of(cleaned, self, Some(net))
+    }
+
+    /// Its pieces where those bodies are folded that have facets which are meant, and the others
+    /// are surfaces; the folded ones come first.
+    fn folded(
+        &self,
+        cleaned: &Cleaned,
+        settings: &PanelMesh,
+        meant: &[Option<FacetsMeant>],
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<MeshPiece>, MakeCause> {
+        let reasons: Vec<FacetsMeant> = meant.iter().copied().flatten().collect();
+        if reasons.len() == meant.len() {
+            return self.net(cleaned, settings, &reasons, watch);
+        }
+        let folds = |n: &usize| meant[*n].is_some();
+        let mut pieces = self.of_bodies(folds)?.net(cleaned, settings, &reasons, watch)?;
+        let smooth = self.of_bodies(|n| !folds(n))?;
+        let divided = smooth.divided(settings)?.map(|sheet| (sheet, Vec::new()));
+        let joints = pieces.iter().flat_map(|piece| &piece.joints).map(|joint| joint.number + 1);
+        let (joints, before) = (joints.max().unwrap_or(0), pieces.len());
+        for piece in pieces_of(cleaned, &smooth, divided)? {
+            let renumbered = |joint: PieceJoint| PieceJoint {
+                number: joint.number + joints,
+                with: joint.with + before,
+                ..joint
+            };
+            // What is found of the whole mesh is told of its first part.
+            pieces.push(MeshPiece {
+                joints: piece.joints.into_iter().map(renumbered).collect(),
+                left_out: 0,
+                specks: None,
+                healings: Vec::new(),
+                skins: None,
+                contacts: 0,
+                ..piece
+            });
+        }
+        check_count(pieces.len())?;
+        Ok(pieces)
+    }
+
+    /// Some of its bodies alone.
+    fn of_bodies(&self, is_of: impl Fn(&usize) -> bool) -> Result<Self, MakeCause> {
+        let bodies = self.mesh.components();
+        let bodies = (0..bodies.len()).filter(&is_of).map(|n| &bodies[n]);
+        let triangles: Vec<TriangleIndex> = bodies.flat_map(|b| b.triangles.clone()).collect();
+        let (mesh, vertices) = self.mesh.part(&triangles).map_err(|error| self.bad(error))?;
+        let seams = cut_of_part(&self.mesh, &self.seams, &mesh, &vertices);
+        Ok(Self { mesh, contacts: self.contacts, skins: self.skins.clone(), seams })
+    }
+
     fn bad(&self, error: MeshError) -> MakeCause {
         bad(error, self.mesh.positions(), self.mesh.triangles())
     }
@@ -204,6 +277,12 @@ fn bad(error: MeshError, positions: &[Point3], triangles: &[[VertexIndex; 3]]) -
     MakeCause::Mesh { error, places }
 }
 
+/// Refuses more parts than a mesh may have.
+fn check_count(found: usize) -> Result<(), MakeCause> {
+    let most = MAX_MESH_PARTS;
+    if found > most { Err(MakeCause::Components { found, most }) } else { Ok(()) }
+}
+
 /// The pieces of a mesh that hang together: as it is, or as it was divided, with the net of each
 /// piece if that was into a net.
 fn pieces_of(
@@ -219,9 +298,7 @@ fn pieces_of(
         None => (&whole.mesh, &[][..]),
     };
     let count = mesh.components().len();
-    if count > MAX_MESH_PARTS {
-        return Err(MakeCause::Components { found: count, most: MAX_MESH_PARTS });
-    }
+    check_count(count)?;
     let mut joints = joints_of(mesh, seams);
     // A net is cut along its seams already.
     let mut within = match nets.is_empty() {
