@@ -129,5 +129,5 @@ pub use table::{MAX_CURVES, MAX_ROWS, TableCurve, read_table, write_table};
 pub use template_call::{NewDesign, design_from_template, new_design};
 pub use trade::{trade_names, trade_title};
 pub use units::Units;
-pub use wording::{verdict_sentence, verdict_word};
+pub use wording::{share_beyond_words, verdict_sentence, verdict_word};
 pub use words::{finding_place, finding_text, read_note_text};

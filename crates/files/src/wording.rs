@@ -129,13 +129,28 @@ pub(crate) fn degrees(deg: f64) -> String {
     format!("{}°", decimal(deg, decimals))
 }
 
+/// Lengths that change by a larger share have no digits: no sheet does that, whatever the number.
+const MOST_SHARE: f64 = 10.0;
+
+/// How a strain or an error of lengths is told that is above 1000 %; `None` of a smaller one.
+pub fn share_beyond_words(share: f64) -> Option<&'static str> {
+    (share > MOST_SHARE).then_some("more than 1000 %")
+}
+
 /// A relative error as a share in per cent; `none` below 1e-8, which no workshop can measure.
 pub(crate) fn per_cent(share: f64) -> String {
-    if share < 1e-8 { "none".to_owned() } else { format!("{}\u{a0}%", decimal(100.0 * share, 4)) }
+    match share_beyond_words(share) {
+        Some(beyond) => beyond.to_owned(),
+        None if share < 1e-8 => "none".to_owned(),
+        None => format!("{}\u{a0}%", decimal(100.0 * share, 4)),
+    }
 }
 
 /// A share in per cent with two or three significant digits.
 pub(crate) fn plain_per_cent(share: f64) -> String {
+    if let Some(beyond) = share_beyond_words(share) {
+        return beyond.to_owned();
+    }
     let percent = 100.0 * share;
     let shifted = std::iter::successors(Some(percent.abs()), |x| Some(x * 10.0));
     let digits = shifted.take(9).take_while(|x| *x > 0.0 && *x < 10.0).count();
@@ -216,6 +231,10 @@ mod tests {
         assert_eq!(area(2500.0), "25.00\u{a0}cm²");
         assert_eq!(degrees(0.4), "0.40°");
         assert_eq!(per_cent(0.0123), "1.2300\u{a0}%");
+        assert_eq!(plain_per_cent(9.87), "987\u{a0}%");
+        for beyond in [674_731.807, f64::INFINITY] {
+            assert_eq!([per_cent(beyond), plain_per_cent(beyond)], ["more than 1000 %"; 2]);
+        }
         assert_eq!(scientific(2.1e-13), "2.1\u{a0}×\u{a0}10⁻¹³");
         assert_eq!(scientific(1.5), "1.5");
         assert_eq!(radius(f64::INFINITY), "flat");

@@ -3,7 +3,7 @@
 use crate::engine::shown::ShownPanel;
 use crate::scene::Scene;
 use sheetwright::check::Verdict;
-use sheetwright_files::Units;
+use sheetwright_files::{Units, share_beyond_words};
 
 use super::measured::{twist, unsure_max, worst};
 
@@ -52,6 +52,9 @@ pub fn degrees(deg: f64) -> String {
 
 /// A strain in per cent: two figures below one per cent.
 pub fn per_cent(share: f64) -> String {
+    if let Some(beyond) = share_beyond_words(share) {
+        return beyond.to_owned();
+    }
     let percent = 100.0 * share;
     let decimals = match percent {
         x if x < 0.01 => 4,

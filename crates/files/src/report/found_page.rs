@@ -11,7 +11,7 @@ use crate::space::box_of;
 use crate::space::worst_rung;
 use crate::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, millimetres_small, plain_per_cent,
-    radius, refold, scientific, steradians, verdict_word,
+    radius, refold, scientific, share_beyond_words, steradians, verdict_word,
 };
 use maud::{Markup, PreEscaped, html};
 use sheetwright::elastic::Predicted;
@@ -234,7 +234,11 @@ impl FoundPage<'_> {
             "How much the sheet stretches or shrinks within its plane when it is held along its \
              edges in its shape. "
             @if let Some(predicted) = &self.page.part.predicted {
-                "95 % of its area stays below " (plain_per_cent(predicted.strain))
+                @if let Some(beyond) = share_beyond_words(predicted.strain) {
+                    "For 5 % of its area or more it is " (beyond)
+                } @else {
+                    "95 % of its area stays below " (plain_per_cent(predicted.strain))
+                }
                 ", on which the verdict rests; the sheet takes "
                 (plain_per_cent(predicted.limits.strain)) ". Rings name the largest, on the pattern and \
                  in space."

@@ -7,7 +7,7 @@ use crate::mesh::aim_name;
 use crate::space::box_of;
 use crate::wording::{
     area, decimal, degrees, millimetres, millimetres_fine, per_cent, plain_per_cent, refold,
-    steradians,
+    share_beyond_words, steradians,
 };
 use maud::{Markup, PreEscaped, html};
 use sheetwright::edge::{Edge, EdgeSource};
@@ -90,8 +90,14 @@ impl MeshPage<'_> {
                 (material.map_or("a sheet of no named material", |m| &m.title)) "."
             }
             @if let Some(predicted) = &part.predicted {
-                " In its shape, 95 % of the area of the sheet stretches or shrinks by less than "
-                (plain_per_cent(predicted.strain)) ", on which the verdict rests."
+                @if let Some(beyond) = share_beyond_words(predicted.strain) {
+                    " In its shape, 5 % of the area of the sheet or more stretches or shrinks by "
+                    (beyond)
+                } @else {
+                    " In its shape, 95 % of the area of the sheet stretches or shrinks by less than "
+                    (plain_per_cent(predicted.strain))
+                }
+                ", on which the verdict rests."
                 @if let Some(distance) = predicted.rest_distance_mm().filter(|mm| *mm > 0.0) {
                     " It lies up to " (millimetres_fine(distance)) " off the surface."
                 }

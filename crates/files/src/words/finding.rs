@@ -11,6 +11,7 @@ use super::points::points;
 use super::read::read_note_text;
 use super::trims::trimmed;
 use crate::pdf::way_to_sheets;
+use crate::wording::share_beyond_words;
 use sheetwright::check::{Finding, FindingKind, SeamCause, Verdict};
 use sheetwright::elastic::Basis;
 use sheetwright::math::{Point3, to_deg};
@@ -171,13 +172,14 @@ pub fn finding_text(finding: &Finding) -> String {
         ),
         Kind::BendLines { count, sharpest } => bend_lines(*count, *sharpest),
         Kind::LengthError { largest, closes_holes: true } => format!(
-            "Lengths in the pattern differ from those on the surface by up to {}. This lets the \
+            "Lengths in the pattern differ from those on the surface by {}. This lets the \
              holes close when the panel is laid flat.",
-            percent(*largest)
+            up_to(*largest)
         ),
         Kind::LengthError { largest, closes_holes: false } => format!(
-            "Lengths in the pattern differ from those on the surface by up to {:.3} %.",
-            100.0 * largest
+            "Lengths in the pattern differ from those on the surface by {}.",
+            share_beyond_words(*largest)
+                .map_or_else(|| format!("up to {:.3} %", 100.0 * largest), str::to_owned)
         ),
         Kind::WindowGap { widest_mm } => format!(
             "Laid flat, the panel has a gap of {widest_mm:.2} mm at a hole. Closing the gap would \
@@ -195,9 +197,9 @@ pub fn finding_text(finding: &Finding) -> String {
         }
         Kind::Stretch { stretch, shrink } => must_stretch(*stretch, *shrink),
         Kind::BorderNotTrue { largest } => format!(
-            "The border can't keep its lengths: they differ by up to {}. Cut the panel open, or \
+            "The border can't keep its lengths: they differ by {}. Cut the panel open, or \
              divide it.",
-            percent(*largest)
+            up_to(*largest)
         ),
         Kind::Flipped { count } => format!(
             "Laid flat, {} upside down: the pattern is folded over itself there. Divide the panel.",
@@ -343,12 +345,24 @@ fn decimals_of(x: f64) -> usize {
 
 /// A share in per cent, with two significant digits.
 fn percent(share: f64) -> String {
+    if let Some(beyond) = share_beyond_words(share) {
+        return beyond.to_owned();
+    }
     let percent = 100.0 * share;
     format!("{percent:.*} %", decimals_of(percent))
 }
 
+/// By how much lengths differ at the most, with two significant digits.
+fn up_to(share: f64) -> String {
+    let up_to = if share_beyond_words(share).is_some() { "" } else { "up to " };
+    format!("{up_to}{}", percent(share))
+}
+
 /// A share in per cent, with three significant digits, for what is compared with a limit.
 fn percent_fine(share: f64) -> String {
+    if let Some(beyond) = share_beyond_words(share) {
+        return beyond.to_owned();
+    }
     let percent = 100.0 * share;
     format!("{percent:.*} %", decimals_of(percent) + 1)
 }
@@ -530,8 +544,7 @@ fn must_stretch(stretch: f64, shrink: f64) -> String {
     }
     let ways = [("grow", stretch), ("shrink", shrink)].into_iter();
     let seen = ways.filter(|(_, share)| *share > 1e-6);
-    let said: Vec<String> =
-        seen.map(|(way, share)| format!("{way} by up to {}", percent(share))).collect();
+    let said: Vec<String> = seen.map(|(way, share)| format!("{way} by {}", up_to(share))).collect();
     format!("From the pattern to the surface, lengths {}.", said.join(" and "))
 }
 

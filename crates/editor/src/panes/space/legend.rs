@@ -10,6 +10,7 @@ use eframe::egui::{
     Align2, Color32, FontId, Mesh, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
     pos2, vec2,
 };
+use sheetwright_files::share_beyond_words;
 
 const WIDTH: f32 = 200.0;
 const BAR: f32 = 10.0;
@@ -70,7 +71,10 @@ impl Legend {
                 };
                 let (limit, decides) = (of(|s| s.limit), of(|s| s.decides));
                 Self {
-                    title: format!("% of strain, 95 % below {}", per_cent(decides)),
+                    title: match share_beyond_words(decides) {
+                        Some(beyond) => format!("% of strain, 5 % by {beyond}"),
+                        None => format!("% of strain, 95 % below {}", per_cent(decides)),
+                    },
                     note: String::new(),
                     ends: ["0 %".to_owned(), format!("{} or more", per_cent(top))],
                     mark: Some((limit / top, format!("limit {}", per_cent(limit)))),
