@@ -49,7 +49,12 @@ class SheetwrightSettings(bpy.types.PropertyGroup):
         name="Facets",
         items=[
             ("AUTO", "As it suits", "Folded where it would not bend as one surface"),
-            ("FOLD", "Folded", "Between flat faces, as a paper model: nothing is stretched"),
+            (
+                "FOLD",
+                "Folded",
+                "Between flat faces, as a paper model: nothing is stretched. Not for curved parts, "
+                "whose triangles fold to slivers in many pieces",
+            ),
             ("SMOOTH", "Smooth", "As one surface that bends"),
         ],
     )
