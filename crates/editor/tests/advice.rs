@@ -171,7 +171,7 @@ fn a_click_on_it_marks_the_lines_in_space_and_on_the_pattern() {
     hands.advise();
     let finding = divisions(&hands.app().editor().shown()[0])[0].clone();
     let label = format!("{} ({})", finding_text(&finding), finding_place(&finding));
-    assert!(label.starts_with("Divided straight across, from one long side to the other, into 2"));
+    assert!(label.starts_with("Divided straight across into 2"));
     hands.harness.get_by_label(&label).scroll_to_me();
     hands.harness.run_steps(40);
     hands.click(&label);

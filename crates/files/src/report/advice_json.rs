@@ -42,10 +42,10 @@ pub(super) fn point_reports(made: &Made, part: &Part, found: &Found) -> Vec<Poin
 pub(super) struct DivisionReport {
     /// How many panels it makes.
     parts: usize,
-    /// How the lines run: `across` from one long side to the other, or `lengthwise`.
+    /// How the lines run: `across` the long direction, or `lengthwise`.
     #[schemars(extend("enum" = ["across", "lengthwise"]))]
     way: &'static str,
-    /// The lines between the panels, each by its points, mm.
+    /// The lines between the panels, each by its points, mm: through a hole, one on each side of it.
     lines: Vec<Vec<[f64; 3]>>,
     /// The largest strain of a panel within its plane that 95 % of it stays below. Without unit.
     strain_p95: f64,

@@ -5,8 +5,8 @@ use sheetwright::check::CutWay;
 /// Where a panel would bend as several.
 pub(super) fn bends_divided(parts: usize, way: CutWay, strain: &str, verdict: &str) -> String {
     let (how, size) = match way {
-        CutWay::Across => ("straight across, from one long side to the other,", "length"),
-        CutWay::Lengthwise => ("lengthwise, between its long sides,", "width"),
+        CutWay::Across => ("straight across", "length"),
+        CutWay::Lengthwise => ("lengthwise", "width"),
     };
     format!(
         "Divided {how} into {parts} panels of equal {size}, it takes its shape. Computed by \

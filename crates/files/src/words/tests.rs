@@ -63,11 +63,11 @@ fn a_finding_reads_well() {
     assert_eq!(
         said("bends-divided"),
         [
-            "Divided straight across, from one long side to the other, into 2 panels of equal \
+            "Divided straight across into 2 panels of equal \
              length, it takes its shape. Computed by itself, 95 % of each panel stretches by less \
              than 0.0210 %, and it bends and folds. Draw them as panels of their own: each has another pattern than \
              its piece of this one. (along the line from (0.0, -3.5, 0.3) mm to (2.0, -3.5, 0.3) mm)",
-            "Divided lengthwise, between its long sides, into 3 panels of equal width, it takes its \
+            "Divided lengthwise into 3 panels of equal width, it takes its \
              shape. Computed by itself, 95 % of each panel stretches by less than 0.0210 %, and it \
              must be rolled. \
              Draw them as panels of their own: each has another pattern than its piece of this one. \

@@ -138,7 +138,7 @@ pub enum FindingKind {
         /// The share that is left.
         reached: f64,
     },
-    /// A panel that will not bend would as several, divided along lines between its rails.
+    /// A panel that will not bend would as several, divided along lines across it.
     BendsDivided {
         /// How many.
         parts: usize,

@@ -91,11 +91,12 @@ pub enum Hindrance {
     Other,
 }
 
-/// How lines run that divide a panel between two rails.
+/// How lines run that divide a panel: between two rails, or inside other closed curves, whose long
+/// direction stands for theirs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutWay {
-    /// Straight from one rail to the other.
+    /// Straight from one rail to the other, or across the long direction.
     Across,
-    /// Along the rails.
+    /// Along the rails, or straight along the long direction.
     Lengthwise,
 }

@@ -4,7 +4,9 @@
 //! from the first rail to the second, straight across. So lines that divide it lie on the ruled
 //! surface between the rails.
 
-use sheetwright_geometry::boundary::{Boundary, Outline, Side};
+use super::parts::{Divisible, between, chained, straight};
+use crate::check::CutWay;
+use sheetwright_geometry::boundary::{Boundary, OnOutline, Outline, Side};
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Point3, Vec3, angle_between, from_deg, unit};
 use std::ops::Range;
@@ -23,14 +25,7 @@ pub(super) struct Between<'a> {
     /// it.
     rails: [[f64; 2]; 2],
     /// How many samples each rail of a part has.
-    pub(super) samples: usize,
-}
-
-/// A part of a panel between shares along the rails, and shares from the first to the second.
-#[derive(Clone, Debug)]
-pub(super) struct Patch {
-    pub(super) along: Range<f64>,
-    pub(super) across: Range<f64>,
+    samples: usize,
 }
 
 /// A side of a loop from one corner to the next.
@@ -74,7 +69,7 @@ impl<'a> Between<'a> {
     }
 
     /// The place at these shares, mm, and the direction of the line there along the rails, unit.
-    fn at(&self, along: f64, across: f64) -> (Point3, Vec3) {
+    fn at(&self, along: f64, across: f64) -> OnOutline {
         let on_rail = |[from, to]: [f64; 2]| {
             // Beside a corner, the tangent of the rail and not that of the end.
             let side = if (along == 0.0) == (to > from) { Side::Leaving } else { Side::Arriving };
@@ -82,68 +77,58 @@ impl<'a> Between<'a> {
             (at.position, at.tangent * (to - from))
         };
         let [(a, a_along), (b, b_along)] = self.rails.map(on_rail);
-        (a.lerp(b, across), unit(a_along * (1.0 - across) + b_along * across).unwrap_or(Vec3::X))
+        let tangent = unit(a_along * (1.0 - across) + b_along * across).unwrap_or(Vec3::X);
+        OnOutline { position: a.lerp(b, across), tangent }
     }
 
-    /// Places on the line at a share between the rails, or at a share along them, mm.
-    pub(super) fn line(&self, along: Range<f64>, across: Range<f64>, count: usize) -> Vec<Point3> {
-        let at = |n: usize| {
-            let share = n as f64 / (count - 1) as f64;
-            self.at(between(&along, share), between(&across, share)).0
+    /// A rail of a part between shares along the rails, at a share between them.
+    fn rail(&self, along: [f64; 2], across: f64, is_back: bool) -> Vec<OnOutline> {
+        let sample = |n: usize| {
+            let n = if is_back { self.samples - 1 - n } else { n };
+            let at = self.at(between(along, n as f64 / (self.samples - 1) as f64), across);
+            if is_back { OnOutline { tangent: -at.tangent, ..at } } else { at }
         };
-        (0..count).map(at).collect()
-    }
-
-    /// The samples of the loop around a part, which runs as that of the whole.
-    pub(super) fn around(&self, patch: &Patch) -> Vec<Sample> {
-        let Patch { along, across } = patch;
-        let rail = |across: f64, backwards: bool| -> Vec<Sample> {
-            let sample = |n: usize| {
-                let n = if backwards { self.samples - 1 - n } else { n };
-                let share = n as f64 / (self.samples - 1) as f64;
-                let (position, tangent) = self.at(between(along, share), across);
-                let tangent = if backwards { -tangent } else { tangent };
-                Sample { position, tangent_in: tangent, tangent_out: tangent }
-            };
-            (0..self.samples).map(sample).collect()
-        };
-        let mut loop_of = rail(across.start, false);
-        joined(&mut loop_of, rail(across.end, true));
-        closed(loop_of)
+        (0..self.samples).map(sample).collect()
     }
 }
 
-/// Runs on from the end of some samples straight to others; ends on one spot are one corner.
-fn joined(samples: &mut Vec<Sample>, mut next: Vec<Sample>) {
-    if let (Some(last), Some(first)) = (samples.last_mut(), next.first_mut()) {
-        match unit(first.position - last.position).filter(|_| apart(last, first)) {
-            Some(way) => (last.tangent_out, first.tangent_in) = (way, way),
-            None => {
-                last.tangent_out = first.tangent_out;
-                next.remove(0);
-            }
+impl Divisible for Between<'_> {
+    fn around(&self, way: CutWay, parts: usize, n: usize) -> Option<Vec<Vec<Sample>>> {
+        let part = [n, n + 1].map(|n| n as f64 / parts as f64);
+        let (along, across) = match way {
+            CutWay::Across => (part, [0.0, 1.0]),
+            CutWay::Lengthwise => ([0.0, 1.0], part),
+        };
+        let rails = [0, 1].map(|n| self.rail(along, across[n], n == 1));
+        let mut stretches = Vec::new();
+        for n in 0..2 {
+            let (from, to) = (rails[n].last()?.position, rails[1 - n].first()?.position);
+            stretches.push(rails[n].clone());
+            // Ends on one spot are one corner.
+            stretches.extend(straight([from, to], 1));
         }
+        Some(vec![chained(&stretches)])
     }
-    samples.extend(next);
-}
 
-/// Samples as a loop: from the last straight to the first.
-fn closed(mut samples: Vec<Sample>) -> Vec<Sample> {
-    let first = samples.remove(0);
-    joined(&mut samples, vec![first]);
-    samples.rotate_right(1);
-    samples
-}
+    fn lines(&self, way: CutWay, parts: usize, count: usize) -> Vec<Vec<Point3>> {
+        let line = |n: usize| {
+            let share = n as f64 / parts as f64;
+            let at = |n: usize| {
+                let on_it = n as f64 / (count - 1) as f64;
+                let (along, across) = match way {
+                    CutWay::Across => (share, on_it),
+                    CutWay::Lengthwise => (on_it, share),
+                };
+                self.at(along, across).position
+            };
+            (0..count).map(at).collect()
+        };
+        (1..parts).map(line).collect()
+    }
 
-/// Whether two samples are apart by more than rounding.
-fn apart(a: &Sample, b: &Sample) -> bool {
-    let far = a.position.distance(b.position);
-    let from = a.position.to_vec().length().max(1.0);
-    far > 1e-9 * from
-}
-
-fn between(range: &Range<f64>, share: f64) -> f64 {
-    range.start + (range.end - range.start) * share
+    fn of_first_rail(&self) -> Option<usize> {
+        Some(self.samples)
+    }
 }
 
 /// The sides of the outer loop from corner to corner.

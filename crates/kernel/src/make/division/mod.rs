@@ -10,17 +10,20 @@
 //!   parts are strained more. Lengthwise it helps some that wave, and not across.
 //! - A thick sheet that is bent tightly stretches at its edges, however it is divided.
 //!
-//! No formula tells them apart. So a panel between two rails is divided both ways, into two, three
-//! and four parts of equal length or width; each part gets the surface that fits it best, and an
-//! elastic sheet is computed. What is advised is the least number of parts that all take their
-//! shape clearly: with the limit beyond the doubt of two nets. No part may have a sharper fold
-//! than the whole, since with folds a part may take any shape.
+//! No formula tells them apart. So a panel is divided both ways, into two, three and four parts of
+//! equal length or width: one between two rails along those ([`between`]), any other by straight
+//! chords ([`within`]). Each part gets the surface that fits it best, and an elastic sheet is
+//! computed. What is advised is the least number of parts that all take their shape clearly: with
+//! the limit beyond the doubt of two nets. No part may have a sharper fold than the whole, since
+//! with folds a part may take any shape.
 //!
 //! Each part of a division takes an elastic sheet. So the search goes part by part, and whoever
 //! edits a design can leave it in between.
 
 mod between;
+mod parts;
 mod search;
+mod within;
 
 pub(super) use search::Search;
 
@@ -34,11 +37,14 @@ use crate::design::PanelMethod;
 use crate::elastic::{Basis, Predicted, predict_alone};
 use crate::flatten::Beside;
 use crate::material::Material;
-use between::{Between, Patch};
+use between::Between;
+use parts::Divisible;
 use search::{Division, MOST_PARTS, Step, rank};
 use sheetwright_geometry::boundary::{Boundary, PlaneChoice, supporting_plane};
+use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::Watch;
 use sheetwright_optimum::triangulate::{Method, TriangulateError, TriangulateOptions, triangulate};
+use within::Within;
 
 /// Points that a line is given by, and places beside it on the part that is divided.
 const POINTS: usize = 9;
@@ -95,12 +101,13 @@ pub(super) fn look_on(
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Stopped;
 
-/// The parts are triangulated as the whole was, each between two rails of so many samples.
-fn options(found: &Found, first: usize) -> TriangulateOptions {
+/// The parts are triangulated as the whole was; `first` is how many samples the first of two rails
+/// has.
+fn options(found: &Found, first: Option<usize>) -> TriangulateOptions {
     let method = match found.method {
         PanelMethod::Optimal => Method::Optimal,
         PanelMethod::Bridge => Method::Bridge,
-        PanelMethod::Rails => Method::Rails { first },
+        PanelMethod::Rails => first.map_or(Method::Optimal, |first| Method::Rails { first }),
     };
     let mut options =
         TriangulateOptions { method, goal: found.goal, ..TriangulateOptions::default() };
@@ -130,7 +137,7 @@ const EDGE_SHARE: f64 = 1.0 / 12.0;
 /// What is needed to judge the parts of a panel.
 struct Divider<'a> {
     part: &'a Part,
-    between: Between<'a>,
+    shape: Box<dyn Divisible + 'a>,
     plane: PlaneChoice,
     options: TriangulateOptions,
     material: Option<&'a Material>,
@@ -139,15 +146,19 @@ struct Divider<'a> {
 }
 
 impl<'a> Divider<'a> {
-    /// `None` of a mesh, and where lines could not run between two sides.
+    /// `None` of a mesh, and where no lines could run.
     fn new(part: &'a Part, material: Option<&'a Material>) -> Option<Self> {
         let found = part.found()?;
-        let between = Between::new(&found.boundary, &found.outline)?;
+        let (boundary, outline) = (&found.boundary, &found.outline);
+        let shape: Box<dyn Divisible> = match Between::new(boundary, outline) {
+            Some(between) => Box::new(between),
+            None => Box::new(Within::new(boundary, outline, found.plane.is_some())?),
+        };
         let folds = part.measures.rungs.iter().filter(|rung| rung.is_fold);
         Some(Self {
             part,
-            options: options(found, between.samples),
-            between,
+            options: options(found, shape.of_first_rail()),
+            shape,
             plane: if found.plane.is_some() { PlaneChoice::Auto } else { PlaneChoice::None },
             material,
             sharpest: folds.map(|rung| rung.crease.abs()).fold(0.0, f64::max),
@@ -161,22 +172,8 @@ impl<'a> Divider<'a> {
         n: usize,
         watch: &mut dyn Watch,
     ) -> Result<Option<(f64, Verdict)>, Stopped> {
-        let parts = division.parts as f64;
-        let part = n as f64 / parts..(n + 1) as f64 / parts;
-        let patch = match division.way {
-            CutWay::Across => Patch { along: part, across: 0.0..1.0 },
-            CutWay::Lengthwise => Patch { along: 0.0..1.0, across: part },
-        };
-        self.judged_part(&patch, watch)
-    }
-
-    /// The strain of a part and the verdict on it, if it takes its shape.
-    fn judged_part(
-        &self,
-        patch: &Patch,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<(f64, Verdict)>, Stopped> {
-        let Ok(boundary) = Boundary::new(vec![self.between.around(patch)]) else {
+        let around = self.shape.around(division.way, division.parts, n);
+        let Some(boundary) = around.and_then(|loops| Boundary::new(loops).ok()) else {
             return Ok(None);
         };
         let Ok(plane) = supporting_plane(&boundary, self.plane) else { return Ok(None) };
@@ -214,19 +211,12 @@ impl<'a> Divider<'a> {
         let Part { sheet, flat, .. } = self.part;
         let (triangles, positions) = (sheet.mesh().triangles(), &self.part.drawn()[..]);
         let part = Beside { triangles, positions, flat: &flat.points };
-        let line = |n: usize| {
-            let share = n as f64 / parts as f64;
-            let points = |count: usize| match way {
-                CutWay::Across => self.between.line(share..share, 0.0..1.0, count),
-                CutWay::Lengthwise => self.between.line(0.0..1.0, share..share, count),
-            };
-            let nearest = points(PLACES).into_iter().map(|at| part.nearest(at));
-            LinePlace {
-                at: points(POINTS),
-                on_part: nearest.map(|nearest| (nearest.at, nearest.flat)).collect(),
-            }
+        let line = |(at, places): (Vec<Point3>, Vec<Point3>)| {
+            let nearest = places.into_iter().map(|at| part.nearest(at));
+            LinePlace { at, on_part: nearest.map(|nearest| (nearest.at, nearest.flat)).collect() }
         };
-        (1..parts).map(line).collect()
+        let [points, places] = [POINTS, PLACES].map(|count| self.shape.lines(way, parts, count));
+        points.into_iter().zip(places).map(line).collect()
     }
 }
 
