@@ -139,7 +139,8 @@ impl<'a> Pieces<'a> {
         true
     }
 
-    /// Folds a hinge if it joins two pieces that do not overlap then, and its image with it; whether
+    /// Folds a hinge if it joins two pieces that do not overlap then, and its image with it;
+    /// whether
     /// it did.
     pub(super) fn fold(&mut self, hinge: usize) -> bool {
         let image = self.mirror.map_or(hinge, |mirror| mirror.image(hinge));

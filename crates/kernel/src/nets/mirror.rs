@@ -51,7 +51,8 @@ impl Mirror {
     }
 
     /// An order of hinges as a symmetric net grows: those that the plane crosses first; then the
-    /// first of those within it, if a middle is to come first (`middle_first`) and the plane crosses
+    /// first of those within it, if a middle is to come first (`middle_first`) and the plane
+    /// crosses
     /// no facet; then pairs; and the others within the plane last.
     pub(super) fn arranged(
         &self,
@@ -146,7 +147,8 @@ impl Corners {
             }
         }
         planes.extend(unit(axis.cross(from_centre(second))));
-        // Models stand square to the axes, and look to -y: left is the image of right. What is least
+        // Models stand square to the axes, and look to -y: left is the image of right. What is
+        // least
         // seen is best its own image. Numbers that differ by rounding are equal.
         let key = |normal: &Vec3| {
             let along = normal.x.abs().max(normal.y.abs()).max(normal.z.abs());
