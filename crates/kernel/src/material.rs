@@ -249,6 +249,8 @@ pub struct Limits {
     pub outer_fibre: Option<f64>,
     /// The strain of the outer fibre from which it keeps its bend, as a share, if it does so.
     pub yields: Option<f64>,
+    /// The moment that a bend takes, as a share of that of a sheet that does not yield.
+    pub moment_share: f64,
 }
 
 impl Limits {
@@ -267,6 +269,7 @@ impl Limits {
             strain: stretch_limit(material),
             outer_fibre: material.map(|m| 0.5 * thickness_mm / m.bend_radius_mm.value),
             yields: material.and_then(|m| value(&m.yield_strain)),
+            moment_share: 1.0,
         }
     }
 

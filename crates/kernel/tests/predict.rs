@@ -21,6 +21,11 @@ fn strip(rails: [Vec<Point3>; 2], kind: CurveKind, material: Option<Material>) -
     Design { material, ..bent::strip("strip", rails, kind) }
 }
 
+/// Steel of a thickness, mm, that springs back however far it is bent.
+fn spring(thickness_mm: f64) -> Material {
+    Material { yield_strain: None, ..steel(thickness_mm) }
+}
+
 /// A strip that is twisted by an angle, of a material.
 fn twisted(deg: f64, material: Option<Material>) -> Design {
     Design { material, ..bent::twisted(deg) }
@@ -94,8 +99,8 @@ fn a_bracket_needs_the_fold_that_its_boundary_has() {
 
 #[test]
 fn the_thickness_decides_and_the_thickest_sheet_is_named() {
-    let thin = made(&wavy(80.0, 1.2, Some(steel(1.0))));
-    let thick = made(&wavy(80.0, 1.2, Some(steel(5.0))));
+    let thin = made(&wavy(80.0, 1.2, Some(spring(1.0))));
+    let thick = made(&wavy(80.0, 1.2, Some(spring(5.0))));
     assert_ne!(thin.checked.verdict, Verdict::WillNotBend);
     assert_eq!(thick.checked.verdict, Verdict::WillNotBend);
     let predicted = thick.predicted.as_ref().unwrap();
@@ -125,12 +130,12 @@ fn the_thickest_sheet_that_is_named_takes_the_shape() {
         (&|sheet| template("cone", sheet), 5.0),
     ];
     for (n, (design, thickness_mm)) in cases.into_iter().enumerate() {
-        let refused = made(&design(steel(thickness_mm)));
+        let refused = made(&design(spring(thickness_mm)));
         assert_eq!(refused.checked.verdict, Verdict::WillNotBend, "{n}");
         let thickest_mm = refused.predicted.as_ref().unwrap().thickest_mm;
         let Some(thickest_mm) = thickest_mm else { panic!("{n}: none is named") };
         assert!(thickest_mm < thickness_mm, "{n}");
-        let taken = made(&design(steel(thickest_mm)));
+        let taken = made(&design(spring(thickest_mm)));
         let is_taken = !matches!(taken.checked.verdict, Verdict::WillNotBend | Verdict::Undecided);
         assert!(is_taken, "{n}: {:?} in {thickest_mm} mm", taken.checked.verdict);
     }
@@ -225,7 +230,7 @@ fn edges_that_slide_strain_the_sheet_less() {
     };
     for (design, verdicts) in [
         (twisted(20.0, Some(steel(1.0))), [Verdict::Roll; 2]),
-        (wavy(60.0, 1.2, Some(steel(4.0))), [Verdict::WillNotBend, Verdict::Roll]),
+        (wavy(60.0, 1.2, Some(spring(4.0))), [Verdict::WillNotBend, Verdict::BendsWithForce]),
     ] {
         let (held, loose) = (made(&design), slack(design));
         assert_eq!([held.checked.verdict, loose.checked.verdict], verdicts);
@@ -248,4 +253,44 @@ fn edges_that_slide_strain_the_sheet_less() {
     let cylinder = Design { material: Some(steel(1.0)), ..bent::cylinder(300.0) };
     let (held, loose) = (made(&cylinder), slack(cylinder));
     assert_eq!(held.checked.verdict, loose.checked.verdict);
+}
+
+/// A cylinder of a radius, mm, that turns by so much, degrees, with straight rulings of a length.
+fn rolled(radius: f64, turn_deg: f64, length: f64, thickness_mm: f64) -> Part {
+    let rail = |y: f64| {
+        let angle = |n: usize| (TAU / 360.0) * turn_deg * n as f64 / 48.0;
+        let at = |n| Point3::new(radius * sin(angle(n)), y, -radius * cos(angle(n)));
+        (0..=48).map(at).collect::<Vec<_>>()
+    };
+    made(&strip([rail(0.0), rail(length)], CurveKind::Spline, Some(steel(thickness_mm))))
+}
+
+/// What shops roll every day, though it would be too much for a sheet that does not yield.
+#[test]
+fn metal_that_yields_is_rolled_to_developable_shapes() {
+    for (radius, turn, length, thickness_mm) in [
+        (100.0, 180.0, 300.0, 3.0),
+        (100.0, 180.0, 1000.0, 3.0),
+        (50.0, 180.0, 500.0, 1.0),
+        (30.0, 90.0, 300.0, 1.0),
+        (200.0, 90.0, 1000.0, 5.0),
+    ] {
+        let part = rolled(radius, turn, length, thickness_mm);
+        let predicted = part.predicted.unwrap();
+        assert_eq!(part.checked.verdict, Verdict::Roll, "R {radius}: {}", predicted.strain);
+        assert_eq!(predicted.basis, Basis::Computed);
+        // The moment is the plastic one, σ t²/4, of a plate: with σ = E ε / (1 − ν²).
+        let moment = predicted.hold_moment_n().unwrap();
+        let plastic = 210_000.0 * 0.0012 / (1.0 - 0.09) * thickness_mm * thickness_mm / 4.0;
+        assert!((moment / plastic - 1.0).abs() < 0.01, "R {radius}: {moment} {plastic}");
+        let radius_mm = 1.0 / predicted.curvature;
+        assert!((radius_mm / radius - 1.0).abs() < 0.02, "R {radius}: {radius_mm}");
+    }
+    // Strips that wave are developable, too; steel that springs back does not take them.
+    for (design, verdict) in [
+        (wavy(80.0, 1.2, Some(steel(5.0))), Verdict::Roll),
+        (wavy(80.0, 1.2, Some(spring(5.0))), Verdict::WillNotBend),
+    ] {
+        assert_eq!(made(&design).checked.verdict, verdict);
+    }
 }

@@ -207,6 +207,8 @@ fn strain_on_fine_net(part: &Part, predicted: &Predicted, scored: &[usize]) -> O
     let limits = &predicted.limits;
     let modulus = limits.modulus_n_per_mm2.unwrap_or(1.0);
     let stiffness = Stiffness::new(limits.thickness_mm, modulus, limits.poisson);
+    let bending_n_mm = stiffness.bending_n_mm * limits.moment_share;
+    let stiffness = Stiffness { bending_n_mm, ..stiffness };
     let mesh = part.sheet.mesh();
     let ends = scored.iter().map(|&rung| part.sheet.rung_ends()[rung]);
     let cut: Cut = ends.filter_map(|[a, b]| mesh.topology().edge_between(a, b)).collect();

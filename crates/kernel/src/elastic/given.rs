@@ -7,7 +7,9 @@
 //! 1. Sharp creases that divide the mesh are scored: the sheet is held along them.
 //! 2. A mesh with points inside its border says more of the surface than its border does. Its sheet
 //!    may leave it by as much as sheet leaves a ruled surface, and no farther.
-//! 3. The pattern of such a mesh may be fitted to its sheet, if that would need force (`fit`).
+//! 3. The pattern of such a mesh may be fitted to its sheet, if that would need force (`fit`); not
+//!    where it fits the surface as it is: what then strains the sheet is that it resists its bend,
+//!    which no pattern takes away, and metal that yields does not do (`rolled`).
 //! 4. A strip (no points inside its border) lies flat exactly, and its sheet is free within. If it
 //!    needs force so, and its pattern may be fitted, it is also judged like the surface that it
 //!    samples, as finer meshes of it are, and has the better of both verdicts. Either way, its
@@ -20,6 +22,7 @@
 //!    sheet can be computed, with its doubt.
 
 use super::predict::{FLAT, NETS, by_nets, stiffness_of};
+use super::rolled::{is_developable, rolled};
 use super::screen::by_formula;
 use super::surface::facing;
 use super::thickest::thickest_mm;
@@ -85,6 +88,8 @@ pub fn predict_given(
     let reading = reading_of(folded.mesh());
     let curvature = curvature_of(&folded, &flat, reading);
     let limits = limits_at(curvature);
+    let warped = if is_strip(folded.mesh()) { warp_squared(folded.mesh()) } else { 0.0 };
+    let is_developable = strain <= EASY_SHARE * limits.strain && is_developable(&limits, warped);
     let given = Given {
         sheet: &folded,
         flat: &flat,
@@ -93,9 +98,10 @@ pub fn predict_given(
         nets: &NETS,
         enough: EASY_SHARE,
         curvature,
+        is_developable,
     };
     let is_one = folded.mesh().components().len() == 1;
-    let fits = if is_one { fits } else { 0 };
+    let fits = if is_one && !is_developable { fits } else { 0 };
     match given.judged(fits, watch) {
         Err(ElasticError::Stopped) => None,
         Err(error) if is_strip(given.sheet.mesh()) => {
@@ -122,6 +128,8 @@ struct Given<'a> {
     enough: f64,
     /// That of its surface, 1/mm.
     curvature: f64,
+    /// Whether its surface is developable, as far as its triangles tell.
+    is_developable: bool,
 }
 
 /// How easily a sheet takes its shape, from the worst.
@@ -147,6 +155,16 @@ struct Held {
 impl Given<'_> {
     /// The prediction for it, whose pattern may be fitted so often.
     fn judged(&self, fits: usize, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        if !self.is_developable {
+            return self.elastic(fits, watch);
+        }
+        rolled(&self.limits, self.curvature, |limits| {
+            Given { limits: limits.clone(), ..*self }.elastic(fits, watch)
+        })
+    }
+
+    /// The prediction for an elastic sheet, whose pattern may be fitted so often.
+    fn elastic(&self, fits: usize, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
         if is_strip(self.sheet.mesh()) {
             self.strip(fits, watch)
         } else {

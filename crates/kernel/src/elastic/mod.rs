@@ -22,6 +22,8 @@
 //! A sheet that is cut into several components is computed piece by piece, each held all round. So
 //! a scored fold is a cut that is held where the surface has it.
 //!
+//! Metal that is bent beyond yield resists its bend by less (`rolled`).
+//!
 //! While a hand drags there is no time for all that; then a formula estimates the strain within a
 //! factor of two (`screen`).
 //!
@@ -42,6 +44,7 @@ mod outline;
 mod places;
 mod predict;
 mod predicted;
+mod rolled;
 mod screen;
 mod surface;
 mod thickest;

@@ -5,6 +5,7 @@
 //!    needed, too: it turns sharply there all the same, and is computed with them scored.
 //! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
 //!    computed with all of them scored. They are needed if that helps.
+//!    If it is developable and yields, it is computed as one that is rolled (`rolled`).
 //! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
 //!    lies between what they give and what they tend to, nobody can tell.
 //! 4. Of a sheet that does not take its shape, the thickest one that does is looked for.
@@ -12,9 +13,12 @@
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
 use super::folds::{Border, folds};
+use super::rolled::{is_developable, rolled};
+use super::screen::weights;
 use super::thickest::thickest_mm;
 use super::{
-    Basis, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, elastic_on,
+    Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, at_share,
+    elastic_on,
 };
 use crate::flatten::Flattened;
 use crate::material::Limits;
@@ -100,6 +104,38 @@ struct Judge<'a> {
 impl Judge<'_> {
     /// The prediction, with the folds that the sheet needs. `None` where the watcher asks to stop.
     fn judged(&self, screened: &Predicted, watch: &mut dyn Watch) -> Option<Predicted> {
+        if !self.is_developable() {
+            return self.elastic(screened, watch);
+        }
+        let judged = |limits: &Limits| {
+            let judge = Judge { limits, ..*self };
+            judge.elastic(screened, watch).ok_or(ElasticError::Stopped)
+        };
+        rolled(self.limits, screened.curvature, judged).ok()
+    }
+
+    /// Whether the surface is developable, as far as its samples tell, and smooth.
+    fn is_developable(&self) -> bool {
+        let warp = at_share(&self.least_warps(), &weights(self.sheet), DECIDES);
+        self.folds(|_| true).is_empty() && is_developable(self.limits, warp * warp)
+    }
+
+    /// For every rung the least warp of it and of those beside it, radians. Of two rungs that share
+    /// a sample, the one that lies farther from a ruling has the bend up to the next sample in its
+    /// warp: on a cylinder, every second one.
+    fn least_warps(&self) -> Vec<f64> {
+        let (ends, rungs) = (self.sheet.rung_ends(), &self.measures.rungs);
+        let share = |n: usize, m: usize| ends[n].iter().any(|v| ends[m].contains(v));
+        let least = |n: usize| {
+            let beside = n.saturating_sub(1)..(n + 2).min(rungs.len());
+            let warps = beside.filter(|&m| m == n || share(n, m)).map(|m| rungs[m].warp);
+            warps.fold(f64::INFINITY, f64::min)
+        };
+        (0..rungs.len()).map(least).collect()
+    }
+
+    /// The prediction for an elastic sheet.
+    fn elastic(&self, screened: &Predicted, watch: &mut dyn Watch) -> Option<Predicted> {
         let Self { sheet, flat, measures, limits, .. } = *self;
         if measures.warp_max <= FLAT && measures.crease_max <= FLAT {
             return Some(Predicted::flat(limits.clone()));
@@ -266,5 +302,7 @@ pub(super) fn by_nets(
 /// they depend on the thickness alone.
 pub(super) fn stiffness_of(limits: &Limits, size_mm: f64) -> Stiffness {
     let thickness_mm = limits.thickness_mm.max(THINNEST * size_mm);
-    Stiffness::new(thickness_mm, limits.modulus_n_per_mm2.unwrap_or(1.0), limits.poisson)
+    let modulus = limits.modulus_n_per_mm2.unwrap_or(1.0);
+    let elastic = Stiffness::new(thickness_mm, modulus, limits.poisson);
+    Stiffness { bending_n_mm: elastic.bending_n_mm * limits.moment_share, ..elastic }
 }

@@ -1,7 +1,7 @@
 //! What is predicted of a sheet: how far it must stretch and bend to take its shape, beside what it
 //! takes.
 
-use super::Elastic;
+use super::{Elastic, Stiffness};
 use crate::material::Limits;
 
 /// The strain on one coarse net is at least that of fine nets over the first factor, and at most
@@ -137,9 +137,9 @@ impl Predicted {
     /// The moment that holds an edge, per length, N (N·m/m): the bending stiffness times the
     /// curvature. `None` where Young's modulus is unknown.
     pub fn hold_moment_n(&self) -> Option<f64> {
-        let Limits { thickness_mm: t, poisson, modulus_n_per_mm2, .. } = self.limits;
-        let stiffness = modulus_n_per_mm2? * t * t * t / (12.0 * (1.0 - poisson * poisson));
-        Some(stiffness * self.curvature)
+        let Limits { thickness_mm, poisson, modulus_n_per_mm2, moment_share, .. } = self.limits;
+        let stiffness = Stiffness::new(thickness_mm, modulus_n_per_mm2?, poisson);
+        Some(stiffness.bending_n_mm * moment_share * self.curvature)
     }
 
     /// The load across the sheet that holds its border, N/mm, within a factor of 1.5. `None` where

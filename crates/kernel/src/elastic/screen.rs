@@ -17,12 +17,14 @@
 //! takes.
 
 use super::folds::{Border, folds};
+use super::rolled::{is_developable, rolled};
 use super::{Basis, DECIDES, Predicted, at_share};
 use crate::flatten::Flattened;
 use crate::material::{Limits, Material};
 use crate::measure::{Measures, RungMeasures};
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
+use std::convert::Infallible;
 
 /// The strain of the elastic sheet is at least that of the formula over this factor and at most
 /// that times it, on nine panels of ten.
@@ -98,14 +100,22 @@ fn smoothed(
 /// What the formula predicts of a sheet with this curvature, 1/mm, and this mean square of the
 /// warp, by area, square radians.
 pub(super) fn by_formula(limits: Limits, curvature: f64, warp_squared: f64) -> Predicted {
-    let strain = strain_of(&limits, curvature, warp_squared);
-    screened(limits, strain, curvature)
+    let predicted = |limits: &Limits| {
+        screened(limits.clone(), strain_of(limits, curvature, warp_squared), curvature)
+    };
+    if is_developable(&limits, warp_squared) {
+        let Ok(predicted) = rolled(&limits, curvature, |l| Ok::<_, Infallible>(predicted(l)));
+        return predicted;
+    }
+    predicted(&limits)
 }
 
 /// The strain of a sheet with this curvature, 1/mm, and this mean square of the warp, by area,
-/// square radians.
+/// square radians. It is strained by its bend as one is that is as stiff and does not yield: by
+/// a thickness that is less by the root of the share of the moment.
 fn strain_of(limits: &Limits, curvature: f64, warp_squared: f64) -> f64 {
-    limits.outer_fibre_at(curvature) / 12.0 + warp_squared / 24.0
+    let of_bend = limits.outer_fibre_at(curvature) * limits.moment_share.sqrt() / 12.0;
+    of_bend + warp_squared / 24.0
 }
 
 /// What is predicted by a strain that a formula gives, and a curvature, 1/mm.
@@ -123,7 +133,7 @@ fn screened(limits: Limits, strain: f64, curvature: f64) -> Predicted {
 }
 
 /// The area beside every rung, mm².
-fn weights(sheet: &Sheet) -> Vec<f64> {
+pub(super) fn weights(sheet: &Sheet) -> Vec<f64> {
     let mesh = sheet.mesh();
     let area = |t: TriangleIndex| mesh.area_vector(t).length();
     let beside = |&[a, b]: &[VertexIndex; 2]| -> f64 {

@@ -1,0 +1,55 @@
+//! Sheet metal that is bent beyond yield: it is rolled or formed, and keeps its bend.
+//!
+//! An elastic sheet resists its bend, and so it stretches where its border is held: by .2 ν t/2R
+//! along curved edges, and by .03 to .11 t/2R along straight ones. That grows without end as the
+//! radius R falls. Metal does not resist so: once the outer fibre yields, at a strain ε, the moment
+//! hardly grows, and is the plastic one in the end, which is 3/2 of that at which it begins to
+//! yield. So what a bend t/2R beyond yield takes is 3/2 ε / (t/2R) of the moment of an elastic
+//! sheet (the secant modulus of the deformation theory \[Hencky1924\]), and a sheet that resists by
+//! this share is computed again. Half a pipe of 100 mm in 3 mm of steel, which every shop rolls,
+//! stretches by .24 % as an elastic sheet, twice its limit, and by .08 % so.
+//!
+//! That is said of smooth developable surfaces alone: theirs are the lengths of the pattern, and all that
+//! strains them is this resistance. What a warped surface asks for, no rolling takes away.
+
+use super::{Basis, Predicted};
+use crate::material::{EASY_SHARE, Limits};
+
+/// The plastic moment of a plate over that at which it begins to yield.
+const PLASTIC: f64 = 1.5;
+/// A plate that can't leave its surface is strained by this share of the square of its warp, where
+/// held edges keep its lengths.
+const WARPED: f64 = 1.0 / 8.0;
+
+/// Whether a surface with this square of the warp, square radians, is so near to a developable one
+/// that no sheet, however thick, would take force for its warp.
+pub(super) fn is_developable(limits: &Limits, warp_squared: f64) -> bool {
+    WARPED * warp_squared <= EASY_SHARE * limits.strain
+}
+
+/// The limits of a sheet that yields at this curvature, 1/mm; `None` of one that does not.
+fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {
+    let moment_share = PLASTIC * limits.yields? / limits.outer_fibre_at(curvature);
+    (moment_share < 1.0).then(|| Limits { moment_share, ..limits.clone() })
+}
+
+/// What is predicted of a sheet whose surface is developable and has this curvature, 1/mm: `judged`
+/// as an elastic sheet and, if it may not take its shape so but yields, as one that is rolled. That
+/// its edges curl a little more than the surface counts for nothing.
+pub(super) fn rolled<E>(
+    limits: &Limits,
+    curvature: f64,
+    mut judged: impl FnMut(&Limits) -> Result<Predicted, E>,
+) -> Result<Predicted, E> {
+    let as_surface = |p: Predicted| Predicted { curvature: p.curvature.min(curvature), ..p };
+    let elastic = as_surface(judged(limits)?);
+    // What a formula says counts as it is: its range would take in nearly every sheet.
+    let most =
+        if elastic.basis == Basis::Screen { elastic.usage() } else { elastic.usage_range()[1] };
+    if most <= 1.0 {
+        return Ok(elastic);
+    }
+    let Some(limits) = yielding(limits, curvature) else { return Ok(elastic) };
+    let rolled = as_surface(judged(&limits)?);
+    Ok(if rolled.usage_range()[0] <= 1.0 { rolled } else { elastic })
+}
