@@ -41,6 +41,7 @@ fn equal_parts_of_templates_are_cut_from_one_pattern() {
     let bands = [("band-1-1", 12, 0), ("band-2-1", 12, 6), ("band-3-1", 12, 4)];
     assert_eq!(of("hemisphere"), named(&bands));
     assert_eq!(of("facade"), named(&[("panel-1", 2, 1), ("panel-2", 2, 1), ("panel-3", 2, 1)]));
+    assert_eq!(of("bag"), named(&[("front", 2, 0), ("gusset", 1, 0)]));
     assert!(of("dinghy").iter().all(|(_, count, _)| *count == 1));
 }
 

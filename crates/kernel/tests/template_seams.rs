@@ -74,7 +74,7 @@ fn seams_have_one_length_on_both_sides() {
         ("pram", &["chine", "bow-transom-bottom", "bow-transom-side", "transom-side"]),
         ("kayak", &["chine", "sheer"]),
         ("hull", &["chine"]),
-        ("bag", &["front-seam"]),
+        ("bag", &["front-seam", "back-seam"]),
         ("tent", &["front-hoop", "middle-hoop", "rear-hoop"]),
         ("ramp", &["right-curve", "right-deck"]),
     ] {

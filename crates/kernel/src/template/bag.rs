@@ -9,7 +9,7 @@ pub(super) const BAG: Template = Template {
     name: "bag",
     title: "Bag: front, back and one gusset round sides and bottom",
     who: "Leather workers and bag makers sew it as a tote or a handbag (of 2 mm leather unless \
-          material says otherwise); the back is the front cut once more.",
+          material says otherwise); the front and the back are cut by one pattern.",
     words: &[
         "tote",
         "handbag",
@@ -51,8 +51,8 @@ const SAMPLE: f64 = 0.03;
 const SAMPLES: [f64; 2] = [200.0, 1600.0];
 
 /// The seam is a curve in the upright plane of the front, pushed forward by half of the depth at
-/// its height. The back has its mirror image, and so all straight lines of the gusset run across:
-/// it is a cylinder.
+/// its height. The seam of the back is its mirror image, so all straight lines of the gusset run
+/// across: it is a cylinder.
 fn bag(values: &Values) -> Drawn {
     let (mouth, height) = (values.number("width"), values.number("height"));
     let (depth, lean) = (values.number("depth"), slope(values.radians("lean")));
@@ -86,7 +86,9 @@ fn bag(values: &Values) -> Drawn {
     sketch.bspline("front-seam", &front);
     sketch.bspline("back-seam", &back);
     sketch.polyline("mouth", &[front[front.len() - 1], front[0]]);
+    sketch.polyline("back-mouth", &[back[0], back[back.len() - 1]]);
     sketch.patch("front", &["front-seam", "mouth"], 400);
+    sketch.patch("back", &["-back-seam", "back-mouth"], 400);
     let [least, most] = SAMPLES;
     let samples = ((bottom + 2.0 * height) / (reach * SAMPLE)).clamp(least, most) as usize;
     sketch.strip("gusset", ["back-seam", "front-seam"], samples);
