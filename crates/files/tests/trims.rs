@@ -4,6 +4,7 @@
 
 use sheetwright::check::Severity;
 use sheetwright::design::Design;
+use sheetwright::index::VertexIndex;
 use sheetwright::make::{Judging, Made, Part, make_judged};
 use sheetwright::math::{Point2, Point3};
 use sheetwright::pattern::{PathKind, Role};
@@ -321,6 +322,40 @@ fn paper_models_have_tabs_on_one_side_of_each_joint() {
         }
         assert!(joints > 0, "{}", design.name);
     }
+}
+
+#[test]
+fn tabs_are_folded_the_way_their_joint_turns() {
+    // A prism on an L, cut along its inner corner and taken apart into small pieces.
+    let text = "v 0 0 0\nv 60 0 0\nv 60 20 0\nv 20 20 0\nv 20 70 0\nv 0 70 0\n\
+        v 0 0 30\nv 60 0 30\nv 60 20 30\nv 20 20 30\nv 20 70 30\nv 0 70 30\n\
+        f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n\
+        f 5 6 12 11\nf 6 1 7 12\nl 4 10\n";
+    let format = InputFormat::Mesh(MeshFormat::Obj);
+    let mut options = options("paper");
+    options.mesh.facets = Some(true);
+    let design = read_bytes(format, text.as_bytes(), "l.obj", None, &options).unwrap();
+    let made = make(&design);
+    let (mut mountains, mut valleys) = (0, 0);
+    for part in &made.parts {
+        for path in &part.piece.paths {
+            let PathKind::TrimFold { mountain } = path.kind else { continue };
+            let middle = path.points[0].lerp(path.points[path.points.len() - 1], 0.5);
+            let mut steps = part.edges.iter().flat_map(|edge| edge.run.windows(2));
+            let flat = |v: usize| part.flat.points[v];
+            let on =
+                |step: &&[usize]| middle.distance_to_segment([flat(step[0]), flat(step[1])]) < 1e-6;
+            let step = steps.find(on).unwrap();
+            let inner = Point3::new(20.0, 20.0, 0.0);
+            let is_inner = step.iter().all(|&v| {
+                let at = part.sheet.mesh().position(VertexIndex::new(v));
+                Point3::new(at.x, at.y, 0.0).distance(inner) < 1e-9
+            });
+            assert_eq!(mountain, !is_inner, "{}: {middle:?}", part.name);
+            *(if mountain { &mut mountains } else { &mut valleys }) += 1;
+        }
+    }
+    assert!(mountains > 0 && valleys == 1, "{mountains} {valleys}");
 }
 
 #[test]

@@ -51,5 +51,6 @@ fn seen<'a>(part: &'a Part, drawn: &'a [Point3]) -> TrimPart<'a> {
         edges: &part.edges,
         space: drawn,
         flat: &part.flat.points,
+        triangles: part.sheet.mesh().triangles(),
     }
 }

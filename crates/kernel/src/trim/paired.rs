@@ -195,11 +195,11 @@ impl Work<'_> {
             self.made[first.part].notes.push(TrimNote::NoRoomForTabs { edge, mate, covered });
         }
         let made = &mut self.made[place.part];
-        for Tab { fold, polygon } in tabs {
+        for Tab { fold, polygon, mountain } in tabs {
             made.added.push(polygon);
             made.paths.push(PatternPath {
                 role: Role::Score,
-                kind: PathKind::TrimFold { mountain: true },
+                kind: PathKind::TrimFold { mountain },
                 points: fold,
                 closed: false,
             });

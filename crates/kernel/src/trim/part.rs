@@ -2,8 +2,10 @@
 
 use super::stretch::Stretch;
 use crate::edge::Edge;
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3};
 use sheetwright_geometry::predicate::{Box2, signed_area_doubled};
+use std::collections::BTreeMap;
 
 /// A part whose edges have their mates.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +20,8 @@ pub(crate) struct TrimPart<'a> {
     pub(crate) space: &'a [Point3],
     /// Where they lie on the pattern, mm.
     pub(crate) flat: &'a [Point2],
+    /// The triangles of its sheet, counter-clockwise as the pattern is seen.
+    pub(crate) triangles: &'a [[VertexIndex; 3]],
 }
 
 impl TrimPart<'_> {
@@ -72,6 +76,12 @@ impl TrimPart<'_> {
     }
 
     pub(super) fn stretches(&self) -> Vec<Stretch> {
-        self.edges.iter().map(|edge| Stretch::new(edge, self.space, self.flat)).collect()
+        let mut beside: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+        for corners in self.triangles {
+            let [a, b, c] = corners.map(VertexIndex::get);
+            beside.extend([([a, b], c), ([b, c], a), ([c, a], b)]);
+        }
+        let stretch = |edge| Stretch::new(edge, self.space, self.flat, &beside);
+        self.edges.iter().map(stretch).collect()
     }
 }

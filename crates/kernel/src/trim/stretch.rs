@@ -1,14 +1,27 @@
 //! An edge on the flat pattern, with places along it by their lengths in space.
 
 use crate::edge::{Edge, lengths};
-use sheetwright_geometry::math::{Point2, Point3, Vec2, unit2};
+use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3, unit, unit2};
+use std::collections::BTreeMap;
 
 /// An edge of a flat piece, the sheet to its left.
 pub(super) struct Stretch {
     points: Vec<Point2>,
     /// The length in space to each point, mm.
     lengths: Vec<f64>,
+    space: Vec<Point3>,
+    /// The third corner in space of the triangle beside each step, where it is known.
+    apexes: Vec<Option<Point3>>,
     is_loop: bool,
+}
+
+/// How the sheet lies in space beside a step of an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Face {
+    /// The unit direction into the sheet, square to the step.
+    pub(super) into: Vec3,
+    /// The unit normal towards the side from which the pattern is seen.
+    pub(super) up: Vec3,
 }
 
 /// A place on an edge.
@@ -33,11 +46,21 @@ impl Spot {
 }
 
 impl Stretch {
-    pub(super) fn new(edge: &Edge, space: &[Point3], flat: &[Point2]) -> Self {
+    /// An edge of a sheet whose vertices lie at `space` and on the pattern at `flat`; `beside` has
+    /// the third corner of the triangle to the left of a side.
+    pub(super) fn new(
+        edge: &Edge,
+        space: &[Point3],
+        flat: &[Point2],
+        beside: &BTreeMap<[usize; 2], usize>,
+    ) -> Self {
         let in_space: Vec<Point3> = edge.run.iter().map(|&v| space[v]).collect();
+        let apex = |step: &[usize]| beside.get(&[step[0], step[1]]).map(|&v| space[v]);
         Self {
             points: edge.run.iter().map(|&v| flat[v]).collect(),
             lengths: lengths(&in_space),
+            apexes: edge.run.windows(2).map(apex).collect(),
+            space: in_space,
             is_loop: edge.is_loop(),
         }
     }
@@ -69,8 +92,7 @@ impl Stretch {
     /// The place at a length from its beginning.
     pub(super) fn at(&self, along: f64) -> Spot {
         let along = self.within(along);
-        let last = self.points.len() - 2;
-        let n = self.lengths[1..].partition_point(|&length| length < along).min(last);
+        let (n, last) = (self.step_at(along), self.points.len() - 2);
         let step = self.lengths[n + 1] - self.lengths[n];
         let share =
             if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
@@ -83,6 +105,25 @@ impl Stretch {
         let way =
             (n..=last).chain((0..n).rev()).find_map(|n| unit2(self.points[n + 1] - self.points[n]));
         Spot { at, along: way.unwrap_or(Vec2::X) }
+    }
+
+    /// The step that has the place at a length within the edge.
+    fn step_at(&self, along: f64) -> usize {
+        let last = self.points.len() - 2;
+        self.lengths[1..].partition_point(|&length| length < along).min(last)
+    }
+
+    /// How the sheet lies beside the place at a length; `None` where no triangle is known.
+    pub(super) fn face_at(&self, along: f64) -> Option<Face> {
+        self.face(self.step_at(self.within(along)))
+    }
+
+    fn face(&self, n: usize) -> Option<Face> {
+        let from = self.space[n];
+        let along = unit(self.space[n + 1] - from)?;
+        let across = self.apexes[n]? - from;
+        let into = unit(across - along * across.dot(along))?;
+        Some(Face { into, up: along.cross(into) })
     }
 
     /// The points from one length to a larger one, both ends included.

@@ -19,6 +19,9 @@ const WIDTHS: [f64; 5] = [1.0, 0.8, 0.6, 0.45, 0.34];
 const ANGLES: [f64; 3] = [1.0, 0.7, 0.45];
 /// The outer side of a tab is at least as long as this share of its inner one.
 const OUTER: f64 = 0.3;
+/// The sine of the angle that a joint goes in by at least for its tab to be folded towards the
+/// viewer: 1°. Less is the rounding of a joint that is flat.
+const GOES_IN: f64 = 0.0175;
 /// Tests begin this share of a tab's width away from the net line, which it touches.
 const OFF: f64 = 0.05;
 
@@ -36,6 +39,9 @@ pub(super) struct Side<'a> {
 pub(super) struct Tab {
     pub(super) fold: Vec<Point2>,
     pub(super) polygon: Vec<Point2>,
+    /// Whether it is folded away from the viewer: it lies behind its mate, so it is where the joint
+    /// sticks out, and is not where it goes in.
+    pub(super) mountain: bool,
 }
 
 /// The tabs of `own` under the face of `mate`, and the share of the common length that has some.
@@ -148,11 +154,21 @@ fn tab(
             {
                 let mut polygon = fold.clone();
                 polygon.extend([last, first]);
-                return Some((Tab { fold, polygon }, width));
+                let mountain = !goes_in(own.stretch, mate.stretch, shared, piece);
+                return Some((Tab { fold, polygon, mountain }, width));
             }
         }
     }
     None
+}
+
+/// Whether the mate rises above the plane of a part, as seen from the side of its pattern, at the
+/// middle of a piece of their joint.
+fn goes_in(own: &Stretch, mate: &Stretch, shared: &Shared, piece: [f64; 2]) -> bool {
+    let share = 0.5 * (piece[0] + piece[1]);
+    let at = |[from, to]: [f64; 2]| from + share * (to - from);
+    let faces = (own.face_at(at(shared.first)), mate.face_at(at(shared.second)));
+    matches!(faces, (Some(own), Some(mate)) if mate.into.dot(own.up) > GOES_IN)
 }
 
 /// Whether the three outer sides of a tab lie wholly inside closed lines, or wholly outside.

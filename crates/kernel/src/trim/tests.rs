@@ -7,6 +7,7 @@ use crate::design::{
 };
 use crate::edge::{Edge, EdgePlace, EdgeSource, shared};
 use crate::pattern::PathKind;
+use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, cos, from_deg, sin};
 use sheetwright_geometry::predicate::{Box2, first_crossing, signed_area_doubled};
 use sheetwright_geometry::region::Region;
@@ -18,6 +19,7 @@ struct Flat {
     edges: Vec<Edge>,
     space: Vec<Point3>,
     flat: Vec<Point2>,
+    triangles: Vec<[VertexIndex; 3]>,
 }
 
 impl Flat {
@@ -34,7 +36,7 @@ impl Flat {
             }
             start += m;
         }
-        Self { name: name.to_owned(), edges, space, flat }
+        Self { name: name.to_owned(), edges, space, flat, triangles: Vec::new() }
     }
 
     /// Where the points of an edge lie in space.
@@ -43,8 +45,8 @@ impl Flat {
     }
 
     fn seen(&self) -> TrimPart<'_> {
-        let Self { name, edges, space, flat } = self;
-        TrimPart { name, panel: name, edges, space, flat }
+        let Self { name, edges, space, flat, triangles } = self;
+        TrimPart { name, panel: name, edges, space, flat, triangles }
     }
 }
 
