@@ -7,7 +7,7 @@ use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles}
 use sheetwright::flatten::refold;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Made, Part, make};
-use sheetwright::math::{Point3, Vec3, cos, sin};
+use sheetwright::math::{Point2, Point3, Vec3, cos, sin};
 use sheetwright::mesh::{Cut, Mesh};
 use sheetwright::nets::{NetOptions, coarseness, net};
 use sheetwright::pattern::{LabelKind, PathKind, Role};
@@ -336,6 +336,75 @@ fn no_piece_is_larger_than_it_may_be_and_every_edge_that_meets_another_has_its_m
             .map(|part| 2 * part.sheet.seams().len() + part.given().unwrap().joints.len())
             .sum();
         assert_eq!(cuts, 2 * marks.len(), "{name}");
+    }
+}
+
+/// Where a point of the border of a pattern lies in space.
+fn in_space(part: &Part, at: Point2) -> Point3 {
+    let mesh = part.sheet.mesh();
+    let steps = part.edges.iter().flat_map(|edge| edge.run.windows(2));
+    let on = steps
+        .map(|step| [step[0], step[1]])
+        .find(|step| at.distance_to_segment(step.map(|v| part.flat.points[v])) < 1e-6);
+    let step = on.unwrap();
+    let [a, b] = step.map(|v| part.flat.points[v]);
+    let [from, to] = step.map(|v| mesh.position(VertexIndex::new(v)));
+    from.lerp(to, at.distance(a) / b.distance(a))
+}
+
+#[test]
+fn both_marks_of_a_joint_stand_on_one_spot_wherever_its_edge_has_points() {
+    // A box with a point on an edge of its top, a third along.
+    let positions = [
+        [0.0, 0.0, 0.0],
+        [100.0, 0.0, 0.0],
+        [100.0, 60.0, 0.0],
+        [0.0, 60.0, 0.0],
+        [0.0, 0.0, 40.0],
+        [100.0, 0.0, 40.0],
+        [100.0, 60.0, 40.0],
+        [0.0, 60.0, 40.0],
+        [30.0, 0.0, 40.0],
+    ];
+    let positions: Vec<Point3> = positions.map(|[x, y, z]| Point3::new(x, y, z)).to_vec();
+    let corners = [
+        [3, 2, 1],
+        [3, 1, 0],
+        [8, 5, 6],
+        [8, 6, 7],
+        [8, 7, 4],
+        [0, 1, 5],
+        [0, 5, 8],
+        [0, 8, 4],
+        [1, 2, 6],
+        [1, 6, 5],
+        [2, 3, 7],
+        [2, 7, 6],
+        [3, 0, 4],
+        [3, 4, 7],
+    ];
+    let corners = corners.map(|corners| corners.map(VertexIndex::new)).to_vec();
+    let mesh = Mesh::new(positions, corners).unwrap();
+    let made = made_as(PanelMesh {
+        facets: Some(true),
+        pieces_within_mm: Some([110.0, 70.0]),
+        ..PanelMesh::new(triangles(&mesh))
+    });
+    let mut spots: BTreeMap<String, Vec<Point3>> = BTreeMap::new();
+    for part in &made.parts {
+        let piece = &part.piece;
+        let ticks = piece.paths.iter().filter(|path| path.kind == PathKind::SeamTick);
+        let marks = piece.labels.iter().filter(|label| label.kind == LabelKind::Mark);
+        for (tick, label) in ticks.zip(marks) {
+            let spot = in_space(part, tick.points[0]);
+            spots.entry(label.text.clone()).or_default().push(spot);
+        }
+    }
+    let middle = Point3::new(50.0, 0.0, 40.0);
+    let is_at = |list: &Vec<Point3>| list[0].distance(middle) < 1e-9;
+    assert!(spots.values().any(is_at), "no cut along the edge with the point: {spots:?}");
+    for (mark, list) in spots {
+        assert!(list.len() == 2 && list[0].distance(list[1]) < 1e-9, "{mark}: {list:?}");
     }
 }
 

@@ -362,7 +362,10 @@ fn joints_of(mesh: &Mesh, seams: &[Seam]) -> Vec<Vec<PieceJoint>> {
         });
         let pieces = sides.each_ref().map(|side| side.first().map(|step| step.0));
         let [Some(a), Some(b)] = pieces else { continue };
-        for ([piece, with], side) in [[a, b], [b, a]].into_iter().zip(sides) {
+        let [first, mut second] = sides;
+        // Each runs with its sheet to the left, so the second one runs back.
+        second.reverse();
+        for ([piece, with], side) in [[a, b], [b, a]].into_iter().zip([first, second]) {
             let steps = side.into_iter().map(|step| step.1).collect();
             joints[piece].push(PieceJoint { number, with, steps });
         }
