@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::check::Severity;
+use sheetwright::check::{FindingKind, Severity};
 use sheetwright::design::Design;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Judging, Made, Part, make_judged};
 use sheetwright::math::{Point2, Point3};
-use sheetwright::pattern::{PathKind, Role};
+use sheetwright::pattern::{PathKind, PatternPath, Role};
 use sheetwright::predicate::signed_area_doubled;
+use sheetwright::trim::TrimNote;
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
     Format, InputFormat, MeshFormat, OutputOptions, ReadOptions, design_from_template,
@@ -356,6 +357,52 @@ fn tabs_are_folded_the_way_their_joint_turns() {
         }
     }
     assert!(mountains > 0 && valleys == 1, "{mountains} {valleys}");
+}
+
+#[test]
+fn flanges_of_ducts_are_parted_at_the_corners_that_their_mouths_have_in_space() {
+    let folded = ["pieces=folded".to_owned()];
+    for (template, settings) in [("hopper", &folded[..]), ("square-to-round", &[])] {
+        let design = write_design(&design_from_template(template, settings).unwrap());
+        let format = InputFormat::Design;
+        let design = read_bytes(format, &design, "d.sheet.json", None, &options("duct")).unwrap();
+        let made = make(&design);
+        assert_written(&made, template);
+        let mut corners = 0;
+        for part in &made.parts {
+            let mesh = part.sheet.mesh();
+            let space = |v: usize| mesh.position(VertexIndex::new(v));
+            let is_cut = |path: &&PatternPath| path.kind == PathKind::Outline;
+            let cut = part.piece.paths.iter().find(is_cut).unwrap();
+            let free = part.edges.iter().filter(|edge| edge.mates.is_empty());
+            for at in free.flat_map(|edge| edge.run.windows(3)) {
+                let (a, b) = (space(at[1]) - space(at[0]), space(at[2]) - space(at[1]));
+                if a.dot(b) > 0.5 * a.length() * b.length() {
+                    continue;
+                }
+                let corner = part.flat.points[at[1]];
+                let steps = cut.points.iter().zip(cut.points.iter().cycle().skip(1));
+                let apart_mm = steps.map(|(&p, &q)| corner.distance_to_segment([p, q]));
+                let apart_mm = apart_mm.fold(f64::INFINITY, f64::min);
+                assert!(apart_mm < 5.0, "{template}, {}: {apart_mm} mm", part.name);
+                corners += 1;
+            }
+        }
+        assert!(corners >= 3, "{template}: {corners} corners");
+        let findings = made.parts.iter().flat_map(|part| &part.checked.findings);
+        let stretches = findings.filter_map(|finding| match &finding.kind {
+            FindingKind::Trimmed { note: TrimNote::FlangeStretches { flat_mm, bent_mm, .. } } => {
+                Some(bent_mm / flat_mm - 1.0)
+            }
+            _ => None,
+        });
+        let stretches: Vec<f64> = stretches.collect();
+        println!("{template}: {corners} corners, {stretches:?}");
+        match template {
+            "hopper" => assert!(stretches.is_empty(), "{stretches:?}"),
+            _ => assert!(matches!(stretches[..], [share] if (0.05..0.3).contains(&share))),
+        }
+    }
 }
 
 #[test]

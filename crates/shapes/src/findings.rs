@@ -308,6 +308,7 @@ fn of_files() -> Vec<Finding> {
     let no_room =
         TrimNote::NoRoomForTabs { edge: edge(), mate: "fox-2/J3".to_owned(), covered: 0.2 };
     let left_out = TrimNote::HolesLeftOut { edge: edge(), left_out: 2, of: 30 };
+    let flange = |bent_mm| TrimNote::FlangeStretches { edge: edge(), flat_mm: 1000.0, bent_mm };
     let reduced =
         |sheets, is_full| Kind::PdfReduced { sheets, scale: 400.0, most: 20_000, is_full };
     let division = Division {
@@ -349,6 +350,8 @@ fn of_files() -> Vec<Finding> {
         Kind::NotDivided { fault: DivideFault::NoThickness },
         Kind::Trimmed { note: no_room },
         Kind::Trimmed { note: left_out },
+        Kind::Trimmed { note: flange(1150.0) },
+        Kind::Trimmed { note: flange(950.0) },
         Kind::Trimmed { note: TrimNote::Closes { of_net: 1, of_cut: 0 } },
         Kind::Trimmed { note: TrimNote::NotProved { outside_mm2: 0.25 } },
         Kind::Trimmed { note: TrimNote::Overlaps },

@@ -15,6 +15,13 @@ pub(super) fn trimmed(note: &TrimNote) -> String {
              would reach over an edge or into another hole. Move the holes nearer to the edge, or \
              farther from its ends."
         ),
+        TrimNote::FlangeStretches { edge, flat_mm, bent_mm } => format!(
+            "The flange along {edge} must {} by {:.1} % at its rim, which is {flat_mm:.1} mm long on \
+             the pattern and {bent_mm:.1} mm when it is bent round the curve. Cut notches into it, \
+             or make it narrower.",
+            if bent_mm > flat_mm { "stretch" } else { "shrink" },
+            100.0 * (bent_mm / flat_mm - 1.0).abs()
+        ),
         TrimNote::Closes { of_net, of_cut } => format!(
             "What is added beyond the edges closes a hole or a gap of the part: the part has \
              {of_net} {}, the line to cut goes round {of_cut}. Make it narrower there.",

@@ -32,6 +32,15 @@ pub enum TrimNote {
         /// Of how many.
         of: usize,
     },
+    /// A flange along a curve stretches at its rim when it is bent, or shrinks.
+    FlangeStretches {
+        /// The edge.
+        edge: String,
+        /// How long the rim is on the pattern, mm.
+        flat_mm: f64,
+        /// How long it is once the flange is bent, mm.
+        bent_mm: f64,
+    },
     /// What was added closes a hole or a gap of the part.
     Closes {
         /// How many holes the net has.

@@ -52,6 +52,15 @@ impl Margin {
             .then(|| self.width[0] + share * (self.width[1] - self.width[0]))
     }
 
+    /// The strip divided at these lengths, if it is a flange.
+    pub(super) fn divided(&self, at: &[f64]) -> Vec<Self> {
+        let [from, to] = self.span;
+        let inner =
+            at.iter().copied().filter(|&at| from < at && at < to && self.relief().is_some());
+        let ends: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
+        ends.windows(2).map(|ends| Self { span: [ends[0], ends[1]], ..self.clone() }).collect()
+    }
+
     /// The relief of a flange, mm; `None` of another strip.
     pub(super) fn relief(&self) -> Option<f64> {
         match self.form {
@@ -65,6 +74,8 @@ impl Margin {
 struct Step<'a> {
     ends: [Point2; 2],
     edge: usize,
+    /// Where it begins, mm along its edge.
+    from: f64,
     margin: Option<&'a Margin>,
     /// The widths of the strip at both ends; 0 without one.
     width: [f64; 2],
@@ -115,7 +126,7 @@ impl Bordered<'_> {
                     margin.width_at(along.clamp(from, to)).unwrap_or(0.0)
                 })
             });
-            Step { ends, edge, margin, width }
+            Step { ends, edge, from: pair[0], margin, width }
         };
         let steps = breaks.windows(2).map(step);
         steps.filter(|step| unit2(step.ends[1] - step.ends[0]).is_some()).collect()
@@ -130,10 +141,17 @@ impl Bordered<'_> {
         let at = after.ends[0];
         let corner = Between { at, arrives, leaves, widths: [before.width[1], after.width[0]] };
         let margins = [before.margin, after.margin];
-        if before.edge == after.edge && before.margin == after.margin {
+        let is_one_edge = before.edge == after.edge;
+        if is_one_edge && before.margin == after.margin {
             return corner.made(Corner::ByLength);
         }
+        // A flange on a closed edge runs on over its beginning, unless that is a corner.
+        let edge = &self.stretches[after.edge];
+        let runs_on = is_one_edge && after.from == 0.0 && !edge.has_corner_before(edge);
         if let [Some(first), Some(second)] = margins.map(|margin| margin.and_then(Margin::relief)) {
+            if runs_on {
+                return corner.made(Corner::ByLength);
+            }
             return Cornered { added: Vec::new(), removed: corner.parted(first.max(second)) };
         }
         corner.made(style(margins))

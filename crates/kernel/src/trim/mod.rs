@@ -18,6 +18,7 @@ mod chosen;
 mod corner;
 mod cut;
 mod fault;
+mod flange;
 mod holes;
 mod joints;
 mod margin;
@@ -42,6 +43,7 @@ use crate::design::{Flange, Trim, TrimKind};
 use crate::edge::EdgePlace;
 use chosen::chosen;
 use cut::Making;
+use flange::{Rim, rim};
 use margin::{Bordered, Margin, MarginForm, folds};
 use paired::{Pair, pairs};
 use sheetwright_geometry::math::Point2;
@@ -168,6 +170,10 @@ impl<'a> Work<'a> {
         }
         for (part, of_part) in self.parts.iter().enumerate() {
             let loops = of_part.loops();
+            for (stretch, margins) in self.stretches[part].iter().zip(&mut self.margins[part]) {
+                let corners: Vec<f64> = stretch.corners().iter().map(|&(at, _)| at).collect();
+                *margins = margins.iter().flat_map(|margin| margin.divided(&corners)).collect();
+            }
             self.set_back_flanges(part, &loops);
             let bordered = Bordered {
                 stretches: &self.stretches[part],
@@ -178,6 +184,15 @@ impl<'a> Work<'a> {
             let made = &mut self.made[part];
             made.added.extend(strips.added);
             made.removed.extend(strips.removed);
+            for (number, edge) in of_part.edges.iter().enumerate() {
+                let stretch = &self.stretches[part][number];
+                let rims = self.margins[part][number].iter().filter_map(|m| rim(stretch, m));
+                let worst = rims.max_by(|a, b| a.strain().abs().total_cmp(&b.strain().abs()));
+                if let Some(Rim { flat_mm, bent_mm }) = worst.filter(Rim::is_strained) {
+                    let edge = of_part.called(edge);
+                    made.notes.push(TrimNote::FlangeStretches { edge, flat_mm, bent_mm });
+                }
+            }
             for (stretch, margins) in self.stretches[part].iter().zip(&self.margins[part]) {
                 for margin in margins {
                     let (paths, labels) = folds(stretch, margin);
@@ -191,24 +206,38 @@ impl<'a> Work<'a> {
 
     /// Where two flanges meet at a corner, both end a little before it.
     fn set_back_flanges(&mut self, part: usize, loops: &[Vec<usize>]) {
-        let ends_in_flange = |margins: &[Margin], at: f64| {
-            let ends_there = |m: &Margin| m.relief().is_some() && m.span.contains(&at);
-            margins.iter().position(ends_there)
+        // The flange that has its end 1, or its beginning 0, there.
+        let of_flange = |margins: &[Margin], at: f64, end: usize| {
+            margins.iter().position(|m| m.relief().is_some() && m.span[end] == at)
         };
         let mut moved: Vec<(usize, usize, usize)> = Vec::new();
         for edges in loops {
             for (n, &after) in edges.iter().enumerate() {
                 let before = edges[(n + edges.len() - 1) % edges.len()];
                 let length = self.stretches[part][before].length();
-                let of_before = ends_in_flange(&self.margins[part][before], length);
-                let of_after = ends_in_flange(&self.margins[part][after], 0.0);
+                let of_before = of_flange(&self.margins[part][before], length, 1);
+                let of_after = of_flange(&self.margins[part][after], 0.0, 0);
                 // Where the corner goes in, they part along its middle (`margin`).
                 let ends = [(before, length), (after, 0.0)];
                 let [arrives, leaves] =
                     ends.map(|(edge, at)| self.stretches[part][edge].at(at).along);
-                let sticks_out = before != after && arrives.perp_dot(leaves) > 0.0;
+                let stretches = &self.stretches[part];
+                let has_corner = stretches[before].has_corner_before(&stretches[after]);
+                // An edge that turns in space alone may run straight on the pattern.
+                let sine = arrives.perp_dot(leaves);
+                let sticks_out = match before == after {
+                    true => has_corner && sine >= 0.0,
+                    false => sine > 0.0 || (has_corner && sine == 0.0),
+                };
                 if let (Some(first), Some(second), true) = (of_before, of_after, sticks_out) {
                     moved.extend([(before, first, 1), (after, second, 0)]);
+                }
+                let margins = &self.margins[part][after];
+                for (at, sine) in self.stretches[part][after].corners() {
+                    let flanges = (of_flange(margins, at, 1), of_flange(margins, at, 0));
+                    if let (Some(first), Some(second), true) = (flanges.0, flanges.1, sine >= 0.0) {
+                        moved.extend([(after, first, 1), (after, second, 0)]);
+                    }
                 }
             }
         }

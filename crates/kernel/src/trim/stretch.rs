@@ -4,6 +4,10 @@ use crate::edge::{Edge, lengths};
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3, unit, unit2};
 use std::collections::BTreeMap;
 
+/// The cosine of the least turn, in space or on the pattern, at which an edge has a corner: 35°,
+/// between the turns of a ring of twelve samples and of an octagon.
+const CORNER: f64 = 0.819;
+
 /// An edge of a flat piece, the sheet to its left.
 pub(super) struct Stretch {
     points: Vec<Point2>,
@@ -22,6 +26,24 @@ pub(super) struct Face {
     pub(super) into: Vec3,
     /// The unit normal towards the side from which the pattern is seen.
     pub(super) up: Vec3,
+}
+
+/// A step of an edge that has a length.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    /// Where it begins, mm along the edge.
+    from: f64,
+    /// Its unit direction in space.
+    space: Vec3,
+    /// Its unit direction on the pattern.
+    flat: Vec2,
+}
+
+impl Way {
+    /// Whether the edge has a corner between it and the next.
+    fn has_corner(&self, next: &Self) -> bool {
+        self.space.dot(next.space).min(self.flat.dot(next.flat)) < CORNER
+    }
 }
 
 /// A place on an edge.
@@ -124,6 +146,46 @@ impl Stretch {
         let across = self.apexes[n]? - from;
         let into = unit(across - along * across.dot(along))?;
         Some(Face { into, up: along.cross(into) })
+    }
+
+    /// Its steps that have a length.
+    fn ways(&self) -> impl DoubleEndedIterator<Item = Way> + '_ {
+        (0..self.points.len() - 1).filter_map(|n| {
+            let space = unit(self.space[n + 1] - self.space[n])?;
+            let flat = unit2(self.points[n + 1] - self.points[n])?;
+            Some(Way { from: self.lengths[n], space, flat })
+        })
+    }
+
+    /// Whether an edge has a corner where the next one, which may be itself, begins.
+    pub(super) fn has_corner_before(&self, next: &Self) -> bool {
+        let ends = (self.ways().next_back(), next.ways().next());
+        matches!(ends, (Some(arrives), Some(leaves)) if arrives.has_corner(&leaves))
+    }
+
+    /// Its corners between its ends: the length to each, mm, and the sine of the turn on the
+    /// pattern, positive where the sheet sticks out.
+    pub(super) fn corners(&self) -> Vec<(f64, f64)> {
+        let ways: Vec<Way> = self.ways().collect();
+        let corners = ways.windows(2).filter(|pair| pair[0].has_corner(&pair[1]));
+        corners.map(|pair| (pair[1].from, pair[0].flat.perp_dot(pair[1].flat))).collect()
+    }
+
+    /// The lengths to the ends of a span and to all points between them, in order.
+    pub(super) fn stations(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+        let inner = self.lengths.iter().copied().filter(|&along| from < along && along < to);
+        let mut stations: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
+        stations.dedup();
+        stations
+    }
+
+    /// Where the place at a length lies in space.
+    pub(super) fn in_space(&self, along: f64) -> Point3 {
+        let n = self.step_at(along);
+        let step = self.lengths[n + 1] - self.lengths[n];
+        let share =
+            if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+        self.space[n].lerp(self.space[n + 1], share)
     }
 
     /// The points from one length to a larger one, both ends included.

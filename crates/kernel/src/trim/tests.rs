@@ -9,7 +9,7 @@ use crate::edge::{Edge, EdgePlace, EdgeSource, shared};
 use crate::pattern::PathKind;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, cos, from_deg, sin};
-use sheetwright_geometry::predicate::{Box2, first_crossing, signed_area_doubled};
+use sheetwright_geometry::predicate::{Box2, first_crossing, inside, signed_area_doubled};
 use sheetwright_geometry::region::Region;
 use sheetwright_shapes::random::Random;
 
@@ -469,4 +469,86 @@ fn what_cannot_be_made_is_said() {
     let two = [on_all(allowance(3.0, Corner::ByLength)), on_all(allowance(5.0, Corner::ByLength))];
     let made = trim(&flat, &two).unwrap();
     assert!((cut(&made[0]).area_mm2() - 60.0 * 40.0).abs() < 1e-6);
+}
+
+/// A strip of this height with points at `flat` along its lower and upper edge, which lie in space
+/// at `space` and straight above. Its lower edge is e0.
+fn strip(flat: &[f64], space: &[(f64, f64)], height: f64) -> Flat {
+    let count = flat.len();
+    let row = |y: f64| flat.iter().map(move |&x| Point2::new(x, y));
+    let points: Vec<Point2> = row(0.0).chain(row(height)).collect();
+    let in_space = |z: f64| space.iter().map(move |&(x, y)| Point3::new(x, y, z));
+    let space: Vec<Point3> = in_space(0.0).chain(in_space(height)).collect();
+    let runs: [Vec<usize>; 4] = [
+        (0..count).collect(),
+        vec![count - 1, 2 * count - 1],
+        (count..2 * count).rev().collect(),
+        vec![count, 0],
+    ];
+    let edge = |(n, run): (usize, Vec<usize>)| {
+        Edge::new(format!("e{n}"), EdgeSource::Border, run, &space, &points)
+    };
+    let edges = runs.into_iter().enumerate().map(edge).collect();
+    let cell = |n: usize| [[n, n + 1, count + n + 1], [n, count + n + 1, count + n]];
+    let triangles = (0..count - 1).flat_map(cell).map(|t| t.map(VertexIndex::new)).collect();
+    Flat { name: "a".to_owned(), edges, space, flat: points, triangles }
+}
+
+fn flange(width: f64) -> TrimKind {
+    TrimKind::Flange(Flange { width, angle: from_deg(90.0), relief: 2.0 })
+}
+
+#[test]
+fn a_flange_is_parted_where_its_edge_has_a_corner_in_space() {
+    // Round a square duct: on the pattern, its edge is straight.
+    let flat = [0.0, 100.0, 200.0, 300.0, 400.0];
+    let square = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0)];
+    let made = trim(&[strip(&flat, &square, 100.0)], &[on(&["e0"], flange(25.0))]).unwrap();
+    let has = |x: f64, y: f64| inside(&cut(&made[0]).outline, Point2::new(x, y));
+    for corner in [100.0, 200.0, 300.0] {
+        for y in [-1.0, -12.0, -24.0] {
+            assert!(!has(corner, y) && !has(corner - 1.9, y) && !has(corner + 1.9, y), "{corner}");
+            assert!(has(corner - 2.1, y) && has(corner + 2.1, y), "{corner}");
+        }
+    }
+    let folds = made[0].paths.iter().filter(|path| matches!(path.kind, PathKind::TrimFold { .. }));
+    assert_eq!(folds.count(), 4);
+    assert_eq!(made[0].notes, []);
+}
+
+#[test]
+fn a_flange_is_parted_at_the_corners_of_a_closed_edge() {
+    // One curve round a square: where it begins is a corner as well.
+    let (points, run) = (rectangle(100.0, 100.0), vec![0, 1, 2, 3, 0]);
+    let space: Vec<Point3> = points.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+    let edges = vec![Edge::new("e0".into(), EdgeSource::Border, run, &space, &points)];
+    let triangles = Vec::new();
+    let square = Flat { name: "a".to_owned(), edges, space, flat: points, triangles };
+    let made = trim(&[square], &[on(&["e0"], flange(25.0))]).unwrap();
+    let around = Box2::of_points(cut(&made[0]).outline.iter().copied()).unwrap();
+    assert!((around.max - around.min).distance(Vec2::new(150.0, 150.0)) < 1e-9);
+    // Four rectangles of 96 mm by 25 mm.
+    assert!((cut(&made[0]).area_mm2() - 10_000.0 - 4.0 * 96.0 * 25.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_flange_round_a_curve_says_by_how_much_it_stretches() {
+    let (radius, width, steps) = (100.0, 25.0, 90);
+    let turn = |n: usize| from_deg(2.0 * n as f64);
+    let chord = 2.0 * radius * sin(from_deg(1.0));
+    let flat: Vec<f64> = (0..=steps).map(|n| chord * n as f64).collect();
+    for (side, wanted) in [(-1.0, 0.25), (1.0, -0.25)] {
+        // Seen from outside, or from inside: the flange is bent towards the viewer.
+        let round = |n: usize| (radius * sin(turn(n)), side * radius * cos(turn(n)));
+        let space: Vec<(f64, f64)> = (0..=steps).map(round).collect();
+        let half_pipe = strip(&flat, &space, 200.0);
+        let made = trim(&[half_pipe], &[on(&["e0"], flange(width))]).unwrap();
+        let [TrimNote::FlangeStretches { edge, flat_mm, bent_mm }] = &made[0].notes[..] else {
+            panic!("{:?}", made[0].notes);
+        };
+        assert_eq!(edge, "a/e0");
+        assert!((flat_mm - chord * steps as f64).abs() < 1e-9);
+        // Half a step at each end of the rim is straight: a share of 1/90 does not stretch.
+        assert!((bent_mm / flat_mm - 1.0 - wanted).abs() < 3e-3, "{bent_mm} {flat_mm}");
+    }
 }

@@ -85,6 +85,7 @@ variants!(FindingKind {
 variants!(TrimNote {
     NoRoomForTabs { edge, mate, covered },
     HolesLeftOut { edge, left_out, of },
+    FlangeStretches { edge, flat_mm, bent_mm },
     Closes { of_net, of_cut },
     NotProved { outside_mm2 },
     Overlaps {}
