@@ -10,7 +10,7 @@ use crate::reading::{
     read_whole, refuse_folder, refuse_large, text_of, without_utf16,
 };
 use crate::units::Units;
-use crate::{design_json, hull_table, mesh, table};
+use crate::{design_json, hull_table, mesh, table, table_design};
 use sheetwright::boundary::MAX_SAMPLES;
 use sheetwright::cost::MAX_FOLD;
 use sheetwright::design::{Design, Dimensions, LEAST_EFFORT, MOST_EFFORT};
@@ -180,7 +180,7 @@ pub fn read_bytes(
         InputFormat::Table if options.second_table.is_some() => {
             return Err(InputError::at(display_name(name), NO_SECOND, NO_SECOND_HINT));
         }
-        InputFormat::Table => table::read_as_design(text_of(bytes, name)?, name, options)?,
+        InputFormat::Table => table_design::read_as_design(text_of(bytes, name)?, name, options)?,
     };
     settle(&mut design, format, options)?;
     Ok(design)

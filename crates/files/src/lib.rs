@@ -66,6 +66,7 @@ mod stock;
 mod stroke_font;
 mod svg;
 mod table;
+mod table_design;
 mod template_call;
 mod trade;
 mod units;

@@ -1,13 +1,12 @@
 //! Curve tables (`*.csv`): one row a point, one or more curves. The grammar is in docs/files.md.
 
-use crate::names::{did_you_mean, refused_for_curve, refused_for_file, shown};
-use crate::reading::{InputError, ReadOptions, display_name, stem};
+use crate::names::{did_you_mean, refused_for_curve, shown};
+use crate::reading::{InputError, display_name};
 use crate::units::Units;
 use sheetwright::boundary::MAX_SAMPLES;
-use sheetwright::cost::PriceOptions;
 use sheetwright::curve::MAX_COORDINATE_MM;
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, FEWEST_ON_RAIL, PanelShape};
+use sheetwright::design::DesignCurve;
 use sheetwright::math::Point3;
 use std::collections::BTreeMap;
 
@@ -232,6 +231,11 @@ impl Columns {
         })
     }
 
+    /// Whether the column `panel` names the panel of each row.
+    pub(crate) fn has_panels(&self) -> bool {
+        self.panel.is_some()
+    }
+
     /// Whether a column names the panel or the curve of each row.
     pub(crate) fn names_panels(&self) -> bool {
         self.panel.or(self.curve).is_some()
@@ -375,83 +379,6 @@ pub(crate) fn in_range_mm(number: f64, units: Units) -> Option<f64> {
     (mm.abs() <= MAX_COORDINATE_MM).then_some(mm)
 }
 
-/// A table as a design: one panel, whose outer loop is the first curve and whose holes are the
-/// others.
-pub(crate) fn read_as_design(
-    text: &str,
-    name: &str,
-    options: &ReadOptions,
-) -> Result<Design, InputError> {
-    let table = read_table(text, name, options.units.unwrap_or_default())?;
-    let called = stem(name);
-    if let Some(why) = refused_for_file(&called) {
-        let message = format!("the name of the panel would be {}, which {why}", shown(&called));
-        let hint = "Rename the file: the panel and its output files are named after it.";
-        return Err(InputError::at(display_name(name), message, hint));
-    }
-    Ok(design_of_loops(&table, &called, options))
-}
-
-/// Some closed curves as a design: one panel of this name, whose outer loop is the first curve and
-/// whose holes are the others.
-pub(crate) fn design_of_loops(table: &[TableCurve], called: &str, options: &ReadOptions) -> Design {
-    // Rows are the samples themselves unless the caller sets a number of samples.
-    let kind = options.samples.map(|_| CurveKind::Spline);
-    let curves: Vec<DesignCurve> = table
-        .iter()
-        .map(|curve| DesignCurve {
-            name: curve.name.clone(),
-            kind,
-            closed: true,
-            points: curve.curve_points(true),
-        })
-        .collect();
-    let whole = |curve: &DesignCurve| vec![CurveUse { name: curve.name.clone(), reversed: false }];
-    let shape = PanelShape::Loops {
-        outer: curves.first().map(whole).unwrap_or_default(),
-        holes: curves.iter().skip(1).map(whole).collect(),
-    };
-    let samples = options.samples.or(curves.first().map(|curve| curve.points.len()));
-    design_of(curves, DesignPanel::new(called, shape, samples.unwrap_or(0)), options)
-}
-
-/// Two open curves as a design: one panel of this name between them, each a spline through its rows
-/// with as many samples as the longer one has rows, unless the caller sets another number.
-pub(crate) fn design_of_rails(
-    rails: &[TableCurve; 2],
-    called: &str,
-    options: &ReadOptions,
-) -> Design {
-    let curves: Vec<DesignCurve> = rails
-        .iter()
-        .map(|rail| DesignCurve {
-            name: rail.name.clone(),
-            kind: Some(CurveKind::Spline),
-            closed: false,
-            points: rail.curve_points(false),
-        })
-        .collect();
-    let whole = |rail: &TableCurve| CurveUse { name: rail.name.clone(), reversed: false };
-    let shape = PanelShape::Rails([whole(&rails[0]), whole(&rails[1])]);
-    let rows = rails[0].points.len().max(rails[1].points.len());
-    let samples = options.samples.unwrap_or(rows.max(FEWEST_ON_RAIL));
-    design_of(curves, DesignPanel::new(called, shape, samples), options)
-}
-
-fn design_of(curves: Vec<DesignCurve>, panel: DesignPanel, options: &ReadOptions) -> Design {
-    let panel = DesignPanel {
-        method: options.method.unwrap_or_default(),
-        which: options.which.unwrap_or_default(),
-        plane: options.plane.unwrap_or_default(),
-        slides: options.slides.unwrap_or_default(),
-        fold: options.fold.unwrap_or(PriceOptions::default().fold),
-        effort: options.effort.unwrap_or(1.0),
-        ..panel
-    };
-    let vary = options.vary.applied(Vec::new());
-    Design { name: panel.name.clone(), curves, panels: vec![panel], vary, ..Design::default() }
-}
-
 /// The points of curves as a table in millimetres, which reads back to the same bits.
 ///
 /// A table says neither how its points make a curve nor whether it is closed: the reader does.
@@ -593,20 +520,6 @@ mod tests {
         let closed = curves[0].curve_points(true);
         assert_eq!(closed.len(), 3);
         assert!(closed[0].corner);
-    }
-
-    #[test]
-    fn rows_are_samples_unless_a_number_is_asked_for() {
-        let text = "x,y,z\n0,0,0\n1,0,0\n1,1,0\n0,0,0\n";
-        let design = read_as_design(text, "a/leaf.csv", &ReadOptions::default()).unwrap();
-        assert_eq!((design.name.as_str(), design.panels[0].name.as_str()), ("leaf", "leaf"));
-        assert_eq!((design.curves[0].kind, design.panels[0].samples), (None, 3));
-        let options = ReadOptions { samples: Some(50), ..ReadOptions::default() };
-        let design = read_as_design(text, "leaf.csv", &options).unwrap();
-        assert_eq!(design.curves[0].kind, Some(CurveKind::Spline));
-        assert_eq!(design.panels[0].samples, 50);
-        let error = read_as_design(text, "con.csv", &ReadOptions::default()).unwrap_err();
-        assert!(error.message.contains("device on Windows"));
     }
 
     #[test]

@@ -12,10 +12,9 @@ use crate::names::shown;
 use crate::reading::{
     InputError, ReadOptions, display_name, io_error, refuse_large, stem, text_of, without_utf16,
 };
-use crate::table::{
-    Columns, MAX_ROWS, TableCurve, design_of_loops, design_of_rails, is_curve_table, no_rows,
-    too_many_rows,
-};
+use crate::table::{Columns, MAX_ROWS, is_curve_table, no_rows, too_many_rows};
+use crate::table_design::{design_of_curves, is_open};
+use crate::units::Units;
 use sheetwright::design::Design;
 use std::collections::BTreeMap;
 use std::io::BufRead;
@@ -68,12 +67,8 @@ impl TablePanel {
         })?;
         let units = options.units.unwrap_or_default();
         let curves = self.columns.curves_of(text, &self.table, above, units)?;
-        let rails = curves.iter().filter(|curve| says_rail(&curve.name)).count();
-        let mut design = match <[TableCurve; 2]>::try_from(curves) {
-            Ok(two) if rails == 2 => design_of_rails(&two, &self.name, options),
-            Ok(curves) => self.looped(&curves, rails, options)?,
-            Err(curves) => self.looped(&curves, rails, options)?,
-        };
+        let place = format!("{}:{}", self.table, self.line);
+        let mut design = design_of_curves(curves, &self.name, &place, options)?;
         settle(&mut design, InputFormat::Table, options)?;
         Ok(design)
     }
@@ -85,21 +80,11 @@ impl TablePanel {
         }
     }
 
-    fn looped(
-        &self,
-        curves: &[TableCurve],
-        rails: usize,
-        options: &ReadOptions,
-    ) -> Result<Design, InputError> {
-        // One curve alone is closed, whatever its name.
-        if rails > 0 && curves.len() > 1 {
-            let place = format!("{}:{}", self.table, self.line);
-            let (name, count) = (shown(&self.name), curves.len());
-            let message = format!("{rails} of the {count} curves of the panel {name} are rails");
-            let hint = "Give a panel two rails and nothing else, or name its curves otherwise.";
-            return Err(InputError::at(place, message, hint));
-        }
-        Ok(design_of_loops(curves, &self.name, options))
+    /// Whether it is an open curve that is named a rail; one whose rows can't be read is none.
+    fn is_rail(&self) -> bool {
+        let text = String::from_utf8_lossy(&self.rows);
+        let curves = self.columns.curves_of(&text, &self.table, self.line - 1, Units::default());
+        says_rail(&self.name) && curves.is_ok_and(|curves| curves.iter().all(is_open))
     }
 }
 
@@ -115,6 +100,8 @@ pub struct TablePanels<R> {
     next: Option<(u64, String, Vec<u8>)>,
     /// The line where the rows of each panel began.
     begun: BTreeMap<String, u64>,
+    /// A panel that was read ahead, or why it can't be read.
+    ahead: Option<Result<TablePanel, InputError>>,
     is_at_end: bool,
 }
 
@@ -148,6 +135,7 @@ impl<R: BufRead> TablePanels<R> {
             unnamed: stem(name),
             next: None,
             begun: BTreeMap::new(),
+            ahead: None,
             is_at_end: false,
         })
     }
@@ -167,8 +155,33 @@ impl<R: BufRead> TablePanels<R> {
         TablePanel { name, line, table, columns, rows: Vec::new(), fault }
     }
 
-    /// The next panel, or the error of reading.
+    /// The next panel, or the error of reading. The two curves of a table without the column
+    /// `panel` are one where both are rails, as they are for a reader of the table as a whole.
     fn read(&mut self) -> Result<Option<TablePanel>, InputError> {
+        if let Some(ahead) = self.ahead.take() {
+            return ahead.map(Some);
+        }
+        let is_first = self.begun.is_empty();
+        let Some(mut first) = self.read_rows()? else { return Ok(None) };
+        let may_pair = is_first && !self.columns.has_panels() && first.fault.is_none();
+        if !(may_pair && self.next.is_some() && first.is_rail()) {
+            return Ok(Some(first));
+        }
+        let second = self.read_rows().transpose();
+        let is_whole = self.next.is_none();
+        match second {
+            Some(Ok(second)) if is_whole && second.fault.is_none() && second.is_rail() => {
+                first.name.clone_from(&self.unnamed);
+                first.rows.extend(second.rows);
+                first.limit();
+            }
+            other => self.ahead = other,
+        }
+        Ok(Some(first))
+    }
+
+    /// The rows of the next name, or the error of reading.
+    fn read_rows(&mut self) -> Result<Option<TablePanel>, InputError> {
         let mut row = Vec::new();
         let mut panel: Option<TablePanel> = None;
         let mut count = 0;
@@ -289,6 +302,29 @@ mod tests {
         let design = panels[0].design(&ReadOptions::default()).unwrap();
         assert_eq!((&design.name[..], design.curves[0].points.len()), ("a", 3));
         assert_eq!(refused(&panels[1]), "t.csv:7: z is 'x', which is no number");
+    }
+
+    #[test]
+    fn a_table_of_two_rails_is_one_panel() {
+        let rails = "curve,x,y,z\nrail a,0,0,0\nrail a,9,0,0\n\nrail b,0,9,0\nrail b,9,9,1\n";
+        let names = |text: &str| -> Vec<(String, u64)> {
+            let panels = TablePanels::new(text.as_bytes(), "plank.csv").unwrap();
+            panels.map(|panel| panel.unwrap()).map(|panel| (panel.name, panel.line)).collect()
+        };
+        assert_eq!(names(rails), [("plank".to_owned(), 2)]);
+        let mut panels = TablePanels::new(rails.as_bytes(), "plank.csv").unwrap();
+        let options = ReadOptions::default();
+        let design = panels.next().unwrap().unwrap().design(&options).unwrap();
+        let alone = crate::table_design::read_as_design(rails, "plank.csv", &options).unwrap();
+        assert_eq!(design.curves, alone.curves);
+        assert_eq!(design.panels, alone.panels);
+        assert_eq!(design.notes, alone.notes);
+        // A third curve, and closed ones, are panels of their own.
+        let a = ("rail a".to_owned(), 2);
+        let third = format!("{rails}c,0,0,0\nc,9,0,0\nc,0,9,0\n");
+        assert_eq!(names(&third), [a.clone(), ("rail b".to_owned(), 5), ("c".to_owned(), 7)]);
+        let closed = rails.replace("9,9,1\n", "9,9,1\nrail b,0,9,0\n");
+        assert_eq!(names(&closed), [a, ("rail b".to_owned(), 5)]);
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub fn read_note_text(note: &ReadNote) -> String {
             point(*at)
         ),
         ReadNote::TakenForRails { names: [a, b] } => format!(
-            "The drawing has two open curves and no outline, so they were taken for the rails of a \
+            "The input has two open curves and no outline, so they were taken for the rails of a \
              panel: '{a}' and '{b}'."
         ),
         ReadNote::TakenForRing { names: [a, b] } => format!(
