@@ -388,7 +388,7 @@ pub fn output_files(
     run.prove();
     if let Some(moved) = &made.moved {
         run.files.push(file(MOVED_TABLE, write_table(&moved.curves)));
-        let design = write_design_of_table(moved, MOVED_TABLE, Some(Units::Millimetres));
+        let design = write_design_of_table(moved, MOVED_TABLE, Some(Units::Millimetres), |_| true);
         run.files.push(file("moved.sheet.json", design));
     }
     let Run { files, panels, errors_mm, .. } = run;

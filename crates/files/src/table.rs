@@ -51,6 +51,27 @@ impl TableCurve {
     }
 }
 
+/// What stands behind the name of a line in that of its mirror image.
+const STARBOARD: &str = "-starboard";
+
+/// The points of the curve of this name. Where the table has none and the name is `NAME-starboard`,
+/// those of the curve `NAME` in the mirror of the plane y = 0, so that a hull's other half follows
+/// the table, too.
+pub(crate) fn points_named(
+    curves: &[TableCurve],
+    name: &str,
+    closed: bool,
+) -> Option<Vec<CurvePoint>> {
+    let find = |name: &str| curves.iter().find(|curve| curve.name == name);
+    if let Some(curve) = find(name) {
+        return Some(curve.curve_points(closed));
+    }
+    let mut points = find(name.strip_suffix(STARBOARD)?)?.curve_points(closed);
+    // Not -y, which would make -0 of a point in the plane.
+    points.iter_mut().for_each(|point| point.at.y = 0.0 - point.at.y);
+    Some(points)
+}
+
 /// The curves of a table, in the order in which they begin. `name` is the file's, for messages.
 ///
 /// # Errors

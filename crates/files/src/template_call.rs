@@ -6,9 +6,11 @@ use crate::meant::{material_meant, parameter_hint, template_question};
 use crate::names::{did_you_mean, shown};
 use crate::quantity::{LENGTH_EXAMPLES, Slip, angle, length, lengths, plain};
 use crate::reading::InputError;
+use crate::table::{TableCurve, points_named};
 use crate::units::Units;
-use sheetwright::design::{Design, Dimensions};
+use sheetwright::design::{Design, DesignCurve, Dimensions, MarkKind, StationPlaces};
 use sheetwright::material::Material;
+use sheetwright::math::Point3;
 use sheetwright::template::{
     Kind, NamedCurve, Parameter, Template, TemplateError, Value, Values, template,
 };
@@ -57,6 +59,33 @@ struct TableSetting {
     path: String,
     /// The unit of its numbers.
     units: Option<Units>,
+    /// What it holds.
+    curves: Vec<TableCurve>,
+}
+
+impl TableSetting {
+    /// Whether a curve of the design is one of the table, or the mirror image of one.
+    fn has(&self, curve: &DesignCurve) -> bool {
+        let found = points_named(&self.curves, &curve.name, curve.closed);
+        found.is_some_and(|points| points == curve.points)
+    }
+
+    /// Moves what the template adds, stations and points such as those of the edge of a transom, to
+    /// the nearest numbers that a file in the unit of the table can hold.
+    fn settle(&self, design: &mut Design) {
+        let in_mm = self.units.unwrap_or_default().in_mm();
+        let held = |mm: f64| (mm / in_mm) * in_mm;
+        let added = design.curves.iter_mut().filter(|curve| !self.has(curve));
+        for point in added.flat_map(|curve| &mut curve.points) {
+            point.at = Point3::new(held(point.at.x), held(point.at.y), held(point.at.z));
+        }
+        for mark in &mut design.marks {
+            if let MarkKind::Stations { at: StationPlaces::Listed { planes }, .. } = &mut mark.kind
+            {
+                planes.iter_mut().for_each(|plane| plane.at = held(plane.at));
+            }
+        }
+    }
 }
 
 impl NewDesign {
@@ -68,11 +97,15 @@ impl NewDesign {
         }
     }
 
-    /// The bytes of its file. Points of a table stay there, so that the design follows when the
-    /// table is corrected.
+    /// The bytes of its file. Points of a table stay there, and so do those of the mirror images of
+    /// its lines, so that the design follows when the table is corrected; the edges of transoms
+    /// have points of their own.
     pub fn bytes(&self) -> Vec<u8> {
         match &self.table {
-            Some(table) => write_design_of_table(&self.design, &table.path, table.units),
+            Some(table) => {
+                let in_table = |curve: &DesignCurve| table.has(curve);
+                write_design_of_table(&self.design, &table.path, table.units, in_table)
+            }
             None => write_design(&self.design),
         }
     }
@@ -114,10 +147,13 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     }
     let mut table = None;
     for (name, path) in tables {
-        set_table(&mut values, name, path, units, folder)?;
-        table = Some(TableSetting { path: path.to_owned(), units });
+        let curves = set_table(&mut values, name, path, units, folder)?;
+        table = Some(TableSetting { path: path.to_owned(), units, curves });
     }
     let mut design = values.design().map_err(|error| in_words(&error, template, ""))?;
+    if let Some(table) = &table {
+        table.settle(&mut design);
+    }
     let usual = || material_named(values.usual_sheet()?, &[]);
     design.material = material.or_else(usual);
     design.dimensions = dimensions;
@@ -129,24 +165,28 @@ fn called(name: &str, settings: &[String], folder: Option<&Path>) -> Result<NewD
     Ok(NewDesign { design, table })
 }
 
+/// Sets the table of a template, and gives what the table holds.
 fn set_table(
     values: &mut Values,
     name: &str,
     path: &str,
     units: Option<Units>,
     folder: Option<&Path>,
-) -> Result<(), InputError> {
+) -> Result<Vec<TableCurve>, InputError> {
     let template = values.template();
     let place = place(template, name);
     let Some(folder) = folder else {
         let message = "without a folder, no table can be read";
         return Err(InputError::at(place, message, "Leave `table` out."));
     };
-    let curves = table_beside(folder, path, units, &place)?
-        .into_iter()
-        .map(|curve| NamedCurve { points: curve.curve_points(false), name: curve.name })
-        .collect();
-    values.set(name, Value::Table(curves)).map_err(|error| in_words(&error, template, path))
+    let curves = table_beside(folder, path, units, &place)?;
+    let named = |curve: &TableCurve| NamedCurve {
+        name: curve.name.clone(),
+        points: curve.curve_points(false),
+    };
+    let value = Value::Table(curves.iter().map(named).collect());
+    values.set(name, value).map_err(|error| in_words(&error, template, path))?;
+    Ok(curves)
 }
 
 fn material_set(template: &Template, name: &str) -> Result<Material, InputError> {

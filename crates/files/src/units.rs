@@ -63,6 +63,15 @@ impl Units {
         }
     }
 
+    /// A length in mm as a number of it, which reads back to the length itself where there is such
+    /// a number.
+    pub(crate) fn number(self, mm: f64) -> f64 {
+        let near = mm / self.in_mm();
+        let [up, down] = [near.next_up(), near.next_down()];
+        let mut numbers = [near, up, down, up.next_up(), down.next_down()].into_iter();
+        numbers.find(|number| number * self.in_mm() == mm).unwrap_or(near)
+    }
+
     /// The step of a grid that is round in this unit and nearest to a length by its ratio, mm: 1, 2
     /// or 5 times a power of ten; inches and what is less than a foot in 1/64, 1/32 … 1/2, 1, 2, 3
     /// and 6 in. The length itself where it is none.

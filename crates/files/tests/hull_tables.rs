@@ -273,23 +273,40 @@ fn form(
     text
 }
 
+/// Planks, transoms, a deck and a flat bottom come back to the bit, whatever the unit.
 #[test]
 fn a_design_and_the_template_take_points_from_a_table_of_offsets() {
-    let new = sheetwright_files::new_design(
-        "hull",
-        &["table=skiff.xlsx".to_owned()],
-        &root().join("corpus/offsets"),
-    );
-    let new = new.unwrap();
-    let names: Vec<&str> = new.design.panels.iter().map(|panel| panel.name.as_str()).collect();
-    assert_eq!(names, ["bottom", "side"]);
-    let text = String::from_utf8(new.bytes()).unwrap();
-    assert!(text.contains("\"table\": \"skiff.xlsx\""), "{text}");
-    let options = ReadOptions::default();
     let folder = root().join("corpus/offsets");
-    let again =
-        read_bytes(InputFormat::Design, text.as_bytes(), "a.sheet.json", Some(&folder), &options);
-    assert_eq!(again.unwrap().curves, new.design.curves);
+    let options = ReadOptions::default();
+    let boats = [
+        ("skiff.xlsx", &["bottom", "side", "transom", "deck"][..]),
+        ("skiff.csv", &["bottom", "side", "transom", "deck"]),
+        ("car-topper.csv", &["strake-1", "side", "bottom", "transom", "deck"]),
+        ("chesapeake-bay-sharpie.csv", &["bottom", "side", "transom", "deck"]),
+    ];
+    for (table, names) in boats {
+        for units in ["", "mm", "cm", "m", "in", "ft"] {
+            let mut settings =
+                vec![format!("table={table}"), "transoms=yes".to_owned(), "deck=yes".to_owned()];
+            settings.extend((!units.is_empty()).then(|| format!("units={units}")));
+            let new = sheetwright_files::new_design("hull", &settings, &folder).unwrap();
+            assert_eq!(panels(&new.design), names, "{table}");
+            let text = String::from_utf8(new.bytes()).unwrap();
+            for name in ["Sheer", "Sheer-starboard"] {
+                let name =
+                    if table.starts_with("ch") { name.to_lowercase() } else { name.to_owned() };
+                let name =
+                    if table.starts_with("car") { name.replace("Sheer", "Gunwale") } else { name };
+                let kept = format!("\"table\": \"{table}\", \"curve\": \"{name}\"");
+                assert!(text.contains(&kept), "{kept}: {text}");
+            }
+            let file = "a.sheet.json";
+            let format = InputFormat::Design;
+            let again = read_bytes(format, text.as_bytes(), file, Some(&folder), &options);
+            let again = again.unwrap_or_else(|error| panic!("{table} {units}: {error}"));
+            assert_eq!(again, new.design, "{table} {units}");
+        }
+    }
 }
 
 #[test]

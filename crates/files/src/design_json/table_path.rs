@@ -6,7 +6,7 @@ use super::source::Source;
 use crate::hull_table::read_curves;
 use crate::names::{did_you_mean, shown};
 use crate::reading::{InputError, MAX_INPUT_BYTES, read_whole};
-use crate::table::TableCurve;
+use crate::table::{TableCurve, points_named};
 use crate::units::Units;
 use sheetwright::curve::CurvePoint;
 use std::collections::BTreeMap;
@@ -44,12 +44,12 @@ impl<'a> Tables<'a> {
             self.read.insert(file.clone(), curves);
         }
         let curves = self.read.get(&file).map_or(&[][..], Vec::as_slice);
-        let curve = match (wanted, curves) {
-            (Some(wanted), _) => curves.iter().find(|c| c.name == wanted),
-            (None, [only]) => Some(only),
+        let points = match (wanted, curves) {
+            (Some(wanted), _) => points_named(curves, wanted, closed),
+            (None, [only]) => Some(only.curve_points(closed)),
             (None, _) => None,
         };
-        let curve = curve.ok_or_else(|| {
+        points.ok_or_else(|| {
             let known: Vec<&str> = curves.iter().map(|c| c.name.as_str()).collect();
             let message = match wanted {
                 Some(name) => format!("{} has no curve {}", shown(table), shown(name)),
@@ -60,8 +60,7 @@ impl<'a> Tables<'a> {
                 None => format!("Name one with \"curve\". {}", did_you_mean("", &known)),
             };
             source.error(&format!("{path}.curve"), message, hint)
-        })?;
-        Ok(curve.curve_points(closed))
+        })
     }
 
     /// The file that a table's path leads to, inside the design's folder.

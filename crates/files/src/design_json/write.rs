@@ -24,13 +24,21 @@ pub fn write_design(design: &Design) -> Vec<u8> {
 /// The bytes of a design's file, in millimetres, with its drawing where that differs from the
 /// default.
 pub(super) fn write_with(design: &Design, drawing: Option<&DrawingFile>) -> Vec<u8> {
-    write(design, drawing, Some(Units::Millimetres), curve)
+    write(design, drawing, Some(Units::Millimetres), |curve| self::curve(curve, Units::Millimetres))
 }
 
 /// The bytes of a design's file, in `units`; without them in millimetres, and the table may name
-/// its own unit. The points of all curves stay in the table `table`.
-pub(crate) fn write_design_of_table(design: &Design, table: &str, units: Option<Units>) -> Vec<u8> {
+/// its own unit. The points of curves that are `in_table` stay in the table `table`.
+pub(crate) fn write_design_of_table(
+    design: &Design,
+    table: &str,
+    units: Option<Units>,
+    in_table: impl Fn(&DesignCurve) -> bool,
+) -> Vec<u8> {
     write(design, None, units, |curve| {
+        if !in_table(curve) {
+            return self::curve(curve, units.unwrap_or_default());
+        }
         format!(
             "    {}: {{ \"kind\": {}, \"closed\": {}, \"table\": {}, \"curve\": {} }}",
             json(&curve.name),
@@ -110,9 +118,9 @@ fn kind(curve: &DesignCurve) -> KindName {
     }
 }
 
-fn curve(curve: &DesignCurve) -> String {
+fn curve(curve: &DesignCurve, units: Units) -> String {
     let points: Vec<String> =
-        curve.points.iter().map(|point| format!("        {}", self::point(point))).collect();
+        curve.points.iter().map(|point| format!("        {}", self::point(point, units))).collect();
     format!(
         "    {}: {{\n      \"kind\": {},\n      \"closed\": {},\n      \"points\": [\n{}\n      ]\n    }}",
         json(&curve.name),
@@ -122,13 +130,13 @@ fn curve(curve: &DesignCurve) -> String {
     )
 }
 
-fn point(point: &CurvePoint) -> String {
-    let at = json(&[point.at.x, point.at.y, point.at.z]);
+fn point(point: &CurvePoint, units: Units) -> String {
+    let at = json(&[point.at.x, point.at.y, point.at.z].map(|mm| units.number(mm)));
     let corner = if point.corner { ",\"corner\":true" } else { "" };
     match point.move_mm {
         0.0 if corner.is_empty() => at,
         0.0 => format!("{{\"at\":{at}{corner}}}"),
-        mm => format!("{{\"at\":{at}{corner},\"move\":{}}}", json(&mm)),
+        mm => format!("{{\"at\":{at}{corner},\"move\":{}}}", json(&units.number(mm))),
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn file_of(mark: &Mark, units: Units) -> MarkFile {
 
 fn kind_file(kind: &MarkKind, units: Units) -> KindFile {
     let some = |length: f64| Some(LengthFile::of_mm(length));
-    let number = |mm: f64| mm / units.in_mm();
+    let number = |mm: f64| units.number(mm);
     match kind {
         MarkKind::Stations { axis, at } => {
             let axis = (*axis).into();
@@ -71,7 +71,7 @@ fn kind_file(kind: &MarkKind, units: Units) -> KindFile {
 }
 
 fn place(at: &MarkAt, units: Units) -> (PlaceFile, Option<LengthFile>) {
-    let number = |mm: f64| mm / units.in_mm();
+    let number = |mm: f64| units.number(mm);
     match *at {
         MarkAt::Space { at, within } => {
             (PlaceFile::Space([at.x, at.y, at.z].map(number)), Some(LengthFile::of_mm(within)))
