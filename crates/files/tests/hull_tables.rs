@@ -310,6 +310,25 @@ fn a_design_and_the_template_take_points_from_a_table_of_offsets() {
 }
 
 #[test]
+fn every_example_of_the_page_is_read() {
+    let page = std::fs::read_to_string(root().join("docs/offset-tables.md")).unwrap();
+    let blocks: Vec<&str> = page.split("```\n").skip(1).step_by(2).collect();
+    let [commands, tables @ ..] = &blocks[..] else { panic!("{page}") };
+    assert!(commands.starts_with("sheetwright "), "{commands}");
+    assert_eq!(tables.len(), 3);
+    for (text, expected) in tables.iter().zip([
+        &["bottom", "side", "transom", "transom-2"][..],
+        &["side", "bottom", "transom", "transom-2"],
+        &["side", "bottom", "transom", "transom-2"],
+    ]) {
+        let options = ReadOptions::default();
+        let read = read_bytes(InputFormat::Table, text.as_bytes(), "a.csv", None, &options);
+        let design = read.unwrap_or_else(|error| panic!("{error} / {}\n{text}", error.hint));
+        assert_eq!(panels(&design), expected, "{text}");
+    }
+}
+
+#[test]
 fn a_round_hull_has_curves_and_the_words_for_rails() {
     let text = "Station,0,1000,2000\nWL 100,300,400,200\nWL 200,350,450,250\n";
     let options = ReadOptions { units: Some(Units::Millimetres), ..ReadOptions::default() };

@@ -35,12 +35,17 @@ impl Bare {
         let of_rows = layout.rows.iter().flat_map(|row| row.cells.iter().map(|(_, placed)| placed));
         let places = layout.stations.iter().filter_map(|station| station.at.as_ref());
         let (mut has_feet, mut has_fraction, mut largest) = (layout.is_in_feet, false, 0.0_f64);
+        let (mut of_labels, mut largest_labelled) = (Vec::new(), 0.0_f64);
         for placed in of_rows.chain(places) {
             match placed.cell {
                 Cell::Length { is_feet, .. } => has_feet |= is_feet,
                 Cell::Bare { number, has_fraction: fraction } if placed.unit.is_none() => {
                     has_fraction |= fraction;
                     largest = largest.max(number.abs());
+                }
+                Cell::Bare { number, .. } => {
+                    of_labels.extend(placed.unit.filter(|unit| !of_labels.contains(unit)));
+                    largest_labelled = largest_labelled.max(number.abs());
                 }
                 _ => {}
             }
@@ -55,6 +60,19 @@ impl Bare {
         if unit.is_none() && has_fraction {
             notes.push("numbers without a unit are inches, as their fractions say".to_owned());
             unit = Some(Units::Inches);
+        } else if let [of_label] = of_labels[..]
+            && unit.is_none()
+            && !has_feet
+            && 0.0 < largest
+            && largest <= largest_labelled
+        {
+            // Numbers that exceed those of the label are in a smaller unit: a boat that is 4 m long
+            // is not 500 m high.
+            notes.push(format!(
+                "numbers without a unit are in {}, the one that a label names",
+                of_label.name()
+            ));
+            unit = Some(of_label);
         } else if unit.is_none() && !has_feet && largest >= PLAINLY_MM {
             notes.push("the table names no unit: its numbers are read as millimetres".to_owned());
             unit = Some(Units::Millimetres);

@@ -133,6 +133,8 @@ pub(super) fn layout(grids: &[(Option<Quantity>, Grid)]) -> Layout {
         let decimal_comma = texts().any(|text| shows_decimal_comma(text));
         let mut quantity = *quantity;
         let mut columns = Columns::default();
+        let head = head_row(grid);
+        let title = |grid: &Grid, row: usize| title(grid, row, head);
         let mut row = 0;
         while row < grid.rows.len() {
             if let Some(title) = title(grid, row) {
@@ -157,9 +159,23 @@ pub(super) fn layout(grids: &[(Option<Quantity>, Grid)]) -> Layout {
     layout
 }
 
+/// The first row that heads the stations: a word for stations or for their places, without a
+/// number, stands at its left. 0 if there is none.
+fn head_row(grid: &Grid) -> usize {
+    let is_word = |text: &String| {
+        (is_station_word(text) || is_position_word(text))
+            && !text.contains(|c: char| c.is_ascii_digit())
+    };
+    let is_head = |row: &Vec<String>| {
+        row.iter().filter(|text| !text.is_empty()).count() > 2
+            && row.iter().take(MOST_LABELS).any(is_word)
+    };
+    grid.rows.iter().position(is_head).unwrap_or(0)
+}
+
 /// The text of a row that is a title, a remark or a setting: it begins with `#`, has a single text,
-/// or a text and a value beside it.
-fn title(grid: &Grid, row: usize) -> Option<String> {
+/// a text and a value beside it, or, above the row `head`, is a sentence that its commas divide.
+fn title(grid: &Grid, row: usize, head: usize) -> Option<String> {
     let cells: Vec<&str> =
         grid.rows[row].iter().map(String::as_str).filter(|text| !text.is_empty()).collect();
     let is_setting = |name: &str| {
@@ -170,8 +186,24 @@ fn title(grid: &Grid, row: usize) -> Option<String> {
         [first, ..] if first.starts_with('#') => Some(cells.join(" ")),
         [only] if cell(only, false) == Cell::Text => Some(only.to_owned()),
         [name, value] if is_setting(name) => Some(format!("{name} {value}")),
+        [first, ..] if row < head && grid.cell(row, 0) == first => {
+            is_sentence(&cells, &grid.rows[head]).then(|| cells.join(", "))
+        }
         _ => None,
     }
+}
+
+/// Whether the cells of a row above the head of a table are a sentence: texts mostly, and fewer
+/// than the head has cells. A row of lengths or of names of stations is none.
+fn is_sentence(cells: &[&str], head: &[String]) -> bool {
+    let filled = head.iter().filter(|text| !text.is_empty()).count();
+    let is_text = |text: &&&str| cell(text, false) == Cell::Text;
+    let texts = cells.iter().filter(is_text).count();
+    let [first, ..] = cells else { return false };
+    let heads_values = quantity_of(first).is_some() || is_spacing_word(first);
+    let has_station = cells.iter().any(|text| is_station_word(text));
+    let is_prose = is_text(&first) && texts + 1 >= cells.len() && !heads_values && !has_station;
+    cells.len() < filled && is_prose
 }
 
 /// Whether a block has its stations down and its lines across.

@@ -188,6 +188,44 @@ fn what_is_not_understood_is_named_with_its_place() {
     }
 }
 
+/// Commas divide a title as they divide columns.
+#[test]
+fn a_title_may_have_commas() {
+    let body = blocks(&eighths, ",", "Position");
+    for title in [
+        "Skiff, offsets in feet-inches-eighths",
+        "My boat, 2026",
+        "Lines of a skiff, 2026, drawn by A. Smith",
+        "My boat, length 4 m, beam 1.5 m",
+    ] {
+        is_the_hull(&read(&format!("{title}\n{body}"), None));
+        is_the_hull(&read(&format!("# remark, 1\n\n{title}\n\n{body}"), None));
+    }
+    let metric = blocks(&millimetres, ",", "Position");
+    is_the_hull(&read(&format!("Skiff, offsets in millimetres\n{metric}"), None));
+    // Names of stations above their places are no title.
+    let named = "Name,A,B,C\nPosition (mm),0,900,1800\nSheer height (mm),500,510,520\n\
+                 Sheer half-breadth (mm),400,420,300\n";
+    assert_eq!(read(named, None).stations[1], ("B".to_owned(), 900.0));
+    let bare = named.replace("Name,A,B,C", ",A,B,C");
+    assert_eq!(read(&bare, None).stations[1], ("B".to_owned(), 900.0));
+}
+
+/// The unit that one label names is that of all numbers, unless they are too large for it.
+#[test]
+fn the_unit_of_a_label_is_that_of_the_table() {
+    let table = "Station;x (mm);Sheer height;Sheer half-breadth\n0;0;492;656\n1;610;471;794\n";
+    let refused_as_it_is = refused(table);
+    assert!(refused_as_it_is.message.contains("has no unit"), "{refused_as_it_is}");
+    let longer = format!("{table}2;1219;508;722\n");
+    let found = read(&longer, None);
+    let last = found.lines[0].points[2].at;
+    assert_eq!([last.x, last.y, last.z], [1219.0, 722.0, 508.0]);
+    assert!(found.notes.iter().any(|note| note.contains("the one that a label names")));
+    let metres = longer.replace("(mm)", "(m)").replace("610", "0.61").replace("1219", "1.219");
+    assert!(refused(&metres).message.contains("has no unit"));
+}
+
 #[test]
 fn heights_below_a_base_line_are_turned_up() {
     let text = "Station,0,1000,2000\nHeights\nGunwale,10,20,10\nBottom,300,310,280\n\
