@@ -397,7 +397,6 @@ fn flanges_of_ducts_are_parted_at_the_corners_that_their_mouths_have_in_space() 
             _ => None,
         });
         let stretches: Vec<f64> = stretches.collect();
-        println!("{template}: {corners} corners, {stretches:?}");
         match template {
             "hopper" => assert!(stretches.is_empty(), "{stretches:?}"),
             _ => assert!(matches!(stretches[..], [share] if (0.05..0.3).contains(&share))),

@@ -5,10 +5,11 @@
 use sheetwright::check::FindingKind;
 use sheetwright::design::{CurveUse, Design, DesignCurve, DesignPanel, PanelShape, Vary, VaryGoal};
 use sheetwright::make::{Made, Part, make};
+use sheetwright::material::Material;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::materials::steel;
 
-/// A strip of steel of 4 mm whose rails wave against one another.
+/// A strip of 4 mm, as stiff as steel, that springs back, and whose rails wave against one another.
 fn wavy(wave: f64, share: Option<f64>, limit_mm: f64) -> Design {
     let rail = |name: &str, y: f64, z: f64| {
         DesignCurve::spline(
@@ -28,7 +29,7 @@ fn wavy(wave: f64, share: Option<f64>, limit_mm: f64) -> Design {
     };
     Design {
         name: "wavy".into(),
-        material: Some(steel(4.0)),
+        material: Some(Material { yield_strain: None, ..steel(4.0) }),
         curves: vec![rail("low", 0.0, wave), rail("high", 300.0, -wave)],
         panels: vec![panel],
         vary: share.map(vary).into_iter().collect(),

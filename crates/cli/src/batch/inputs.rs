@@ -57,7 +57,7 @@ impl Item {
 
 /// A source that is open.
 enum Open {
-    Panels(TablePanels<Stream>),
+    Panels(Box<TablePanels<Stream>>),
     Designs(DesignLines<Stream>),
 }
 
@@ -154,7 +154,7 @@ impl Items {
         } else if InputFormat::of(&path) == Ok(InputFormat::Table) {
             match open_file(&path, &name).and_then(|from| panels_of(from, &name)) {
                 Ok(None) => return Some(self.item(&stem(&name), name, Work::File(path))),
-                Ok(Some(panels)) => Ok(Open::Panels(panels)),
+                Ok(Some(panels)) => Ok(Open::Panels(Box::new(panels))),
                 Err(error) => Err(error),
             }
         } else {
@@ -183,7 +183,7 @@ impl Items {
         if is_json {
             return Ok(Open::Designs(DesignLines::new(from, "-", None)));
         }
-        TablePanels::new(from, "-").map(Open::Panels)
+        TablePanels::new(from, "-").map(|panels| Open::Panels(Box::new(panels)))
     }
 
     /// Puts the files of a folder that have the ending of an input before what is left, by name.

@@ -45,7 +45,8 @@ pub(super) struct DivisionReport {
     /// How the lines run: `across` the long direction, or `lengthwise`.
     #[schemars(extend("enum" = ["across", "lengthwise"]))]
     way: &'static str,
-    /// The lines between the panels, each by its points, mm: through a hole, one on each side of it.
+    /// The lines between the panels, each by its points, mm: through a hole, one on each side of
+    /// it.
     lines: Vec<Vec<[f64; 3]>>,
     /// The largest strain of a panel within its plane that 95 % of it stays below. Without unit.
     strain_p95: f64,

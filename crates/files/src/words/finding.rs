@@ -45,8 +45,9 @@ pub fn finding_text(finding: &Finding) -> String {
         ),
         Kind::NeedsForce { .. } => needs_force(&finding.kind),
         Kind::Roll { radius_mm, from_mm, sheet } => format!(
-            "A twentieth of the sheet is bent to less than {radius_mm:.0} mm. Below {from_mm:.0} mm, \
-             {sheet} keeps its bend: roll or form it. Bent by hand it springs back {}.",
+            "The sheet is bent to {radius_mm:.0} mm, up to a twentieth of it more tightly. Below \
+             {from_mm:.0} mm, {sheet} keeps its bend: roll or form it. Bent by hand it springs back \
+             {}.",
             if *radius_mm > NEAR_YIELD * from_mm {
                 "nearly all the way, since that is near the limit"
             } else {

@@ -9,8 +9,9 @@
 //! this share is computed again. Half a pipe of 100 mm in 3 mm of steel, which every shop rolls,
 //! stretches by .24 % as an elastic sheet, twice its limit, and by .08 % so.
 //!
-//! That is said of smooth developable surfaces alone: theirs are the lengths of the pattern, and all that
-//! strains them is this resistance. What a warped surface asks for, no rolling takes away.
+//! That is said of smooth developable surfaces alone: theirs are the lengths of the pattern, and
+//! all that strains them is this resistance. What a warped surface asks for, no rolling takes
+//! away.
 
 use super::{Basis, Predicted};
 use crate::material::{EASY_SHARE, Limits};

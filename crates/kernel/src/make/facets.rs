@@ -34,7 +34,7 @@ pub(super) fn divided(
     whole: &Mesh,
     seams: &Cut,
     settings: &PanelMesh,
-    meant: &[FacetsMeant],
+    meant: &[Option<FacetsMeant>],
     watch: &mut dyn Watch,
 ) -> Result<(Sheet, Vec<NetPiece>), MakeCause> {
     let options = NetOptions { within_mm: settings.pieces_within_mm };
@@ -52,7 +52,7 @@ pub(super) fn divided(
         slits[places[first].0].push(in_piece.collect());
     }
     let bodies = super::seams::places(whole, whole);
-    let mut meant: Vec<Option<FacetsMeant>> = meant.iter().copied().map(Some).collect();
+    let mut meant = meant.to_vec();
     let mut before = 0;
     let pieces = slits.into_iter().zip(apart.components()).map(|(slits, component)| {
         let first_seam = before;
@@ -88,11 +88,20 @@ impl NetPiece {
 
 /// What is done about the facets of a mesh whose settings leave it open.
 pub(super) enum Folding {
-    /// Those of some bodies are folded, for each of which it says why: as one surface it has a
-    /// fault, and its facets are meant.
-    Meant(Vec<Option<FacetsMeant>>),
+    /// Those of some bodies are folded.
+    Meant(Vec<BodyWay>),
     /// A note says that they can be: the mesh has a fault, but may sample a smooth shape.
     Offered(Coarseness),
+}
+
+/// How a body of a mesh is laid flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum BodyWay {
+    /// As a surface.
+    Smooth,
+    /// As a net, for this reason: as one surface it has a fault, and its facets are meant. `None`
+    /// of one without a fault whose facets are meant, too, beside one that is folded.
+    Folded(Option<FacetsMeant>),
 }
 
 /// What is wrong with a mesh as one surface that its net may lack.
@@ -159,24 +168,29 @@ pub(super) fn folding(
     // A strip lies flat exactly as a surface: what is asked for is how it bends.
     let on_border = whole.topology().on_border();
     let is_strip = |body: &Component| body.vertices.iter().all(|v| on_border[v.get()]);
-    let faulty = bodies.iter().zip(faults);
-    let faulty = faulty.map(|(body, fault)| (body, fault.filter(|_| !is_strip(body))));
-    let meant = faulty.map(|(body, fault)| {
-        let fault = fault?;
-        let coarse = match bodies.len() {
-            1 => coarseness(whole),
-            _ => coarseness(&whole.part(&body.triangles).ok()?.0),
-        };
-        let overlaps = fault == Fault::Overlap;
-        Some((coarse, coarse.is_meant().then_some(FacetsMeant { coarse, overlaps })))
-    });
-    let judged: Vec<Option<(Coarseness, Option<FacetsMeant>)>> = meant.collect();
-    if judged.iter().flatten().any(|(_, meant)| meant.is_some()) {
-        let meant = judged.into_iter().map(|judged| judged.and_then(|(_, meant)| meant));
-        return Some(Folding::Meant(meant.collect()));
+    let coarse_of = |body: &Component| match bodies.len() {
+        1 => Some(coarseness(whole)),
+        _ => Some(coarseness(&whole.part(&body.triangles).ok()?.0)),
+    };
+    let judged = bodies
+        .iter()
+        .zip(faults)
+        .map(|(body, fault)| (coarse_of(body).filter(|_| !is_strip(body)), fault));
+    let judged: Vec<(Option<Coarseness>, Option<Fault>)> = judged.collect();
+    let reason = |&(coarse, fault): &(Option<Coarseness>, Option<Fault>)| {
+        let coarse = coarse.filter(Coarseness::is_meant)?;
+        Some(FacetsMeant { coarse, overlaps: fault? == Fault::Overlap })
+    };
+    if judged.iter().any(|body| reason(body).is_some()) {
+        let is_meant = |coarse: Option<Coarseness>| coarse.is_some_and(|coarse| coarse.is_meant());
+        let laid = judged.iter().map(|body| match is_meant(body.0) {
+            true => BodyWay::Folded(reason(body)),
+            false => BodyWay::Smooth,
+        });
+        return Some(Folding::Meant(laid.collect()));
     }
     // The whole mesh would be folded.
-    let known = judged.into_iter().flatten().next()?.0;
+    let known = judged.into_iter().find_map(|(coarse, fault)| fault.and(coarse))?;
     let coarse = if bodies.len() == 1 { known } else { coarseness(whole) };
     coarse.has_few().then_some(Folding::Offered(coarse))
 }

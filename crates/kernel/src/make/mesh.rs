@@ -7,7 +7,7 @@
 //! divided into the pieces of a net instead ([`super::facets`]).
 
 use super::cleaned::Cleaned;
-use super::facets::{self, Folding, NetPiece};
+use super::facets::{self, BodyWay, Folding, NetPiece};
 use super::laid::Laid;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
@@ -76,8 +76,8 @@ pub(super) fn make_mesh(
         return smooth;
     }
     match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth, &body_of) {
-        Some(Folding::Meant(meant)) if !watch.stop() => {
-            let pieces = whole.folded(cleaned, settings, &meant, watch).map_err(failed)?;
+        Some(Folding::Meant(laid)) if !watch.stop() => {
+            let pieces = whole.folded(cleaned, settings, &laid, watch).map_err(failed)?;
             make_parts(design, panel, settings, pieces, judging, watch)
         }
         Some(Folding::Offered(coarse)) => {
@@ -195,12 +195,12 @@ impl Whole {
         pieces.iter().map(|piece| places[piece.triangles[0].get()].0).collect()
     }
 
-    /// The pieces of its net; where it is folded by itself, `meant` says why, for each body.
+    /// The pieces of its net; where it is folded by itself, `meant` says why, for some bodies.
     fn net(
         &self,
         cleaned: &Cleaned,
         settings: &PanelMesh,
-        meant: &[FacetsMeant],
+        meant: &[Option<FacetsMeant>],
         watch: &mut dyn Watch,
     ) -> Result<Vec<MeshPiece>, MakeCause> {
         let net = facets::divided(&self.mesh, &self.seams, settings, meant, watch)?;
@@ -213,14 +213,18 @@ impl Whole {
         &self,
         cleaned: &Cleaned,
         settings: &PanelMesh,
-        meant: &[Option<FacetsMeant>],
+        laid: &[BodyWay],
         watch: &mut dyn Watch,
     ) -> Result<Vec<MeshPiece>, MakeCause> {
-        let reasons: Vec<FacetsMeant> = meant.iter().copied().flatten().collect();
-        if reasons.len() == meant.len() {
+        let reasons = laid.iter().filter_map(|laid| match laid {
+            BodyWay::Smooth => None,
+            BodyWay::Folded(meant) => Some(*meant),
+        });
+        let reasons: Vec<Option<FacetsMeant>> = reasons.collect();
+        if reasons.len() == laid.len() {
             return self.net(cleaned, settings, &reasons, watch);
         }
-        let folds = |n: &usize| meant[*n].is_some();
+        let folds = |n: &usize| laid[*n] != BodyWay::Smooth;
         let mut pieces = self.of_bodies(folds)?.net(cleaned, settings, &reasons, watch)?;
         let smooth = self.of_bodies(|n| !folds(n))?;
         let divided = smooth.divided(settings)?.map(|sheet| (sheet, Vec::new()));

@@ -54,7 +54,7 @@ struct Ring {
 impl Ring {
     /// The arc from an arc length to another, mm, or all round, in stretches from corner to corner:
     /// their ends may lie beyond the first sample.
-    fn from_corner_to_corner(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+    fn between_corners(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let whole = self.length;
         let end = if to > from { to } else { to + whole };
         let near = AT_CORNER * whole;
@@ -245,7 +245,7 @@ impl Within<'_> {
         for start in self.rim(cut, part)? {
             let end = self.next(cut, start);
             let [from, to, on] = [start, end, cut.partners[end]].map(|n| &cut.crossings[n]);
-            let arc = self.loops[from.of_loop].from_corner_to_corner([from.mm, to.mm]);
+            let arc = self.loops[from.of_loop].between_corners([from.mm, to.mm]);
             stretches.extend(arc.into_iter().map(|mm| Stretch::OfLoop(from.of_loop, mm)));
             stretches.push(Stretch::Chord([to.at, on.at]));
         }
@@ -294,7 +294,7 @@ impl Divisible for Within<'_> {
         for hole in self.whole_holes(&cut, [number(way), parts, n]) {
             let ring = &self.loops[hole];
             let first = ring.corners.first().copied().unwrap_or(0.0);
-            let arc = ring.from_corner_to_corner([first, first]).into_iter();
+            let arc = ring.between_corners([first, first]).into_iter();
             let rim: Vec<Stretch> = arc.map(|mm| Stretch::OfLoop(hole, mm)).collect();
             loops.push(self.sampled(&rim, by_mm.max(LEAST_OF_HOLE / ring.length))?);
         }
