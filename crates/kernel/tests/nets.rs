@@ -95,8 +95,7 @@ fn nets_of_symmetric_bodies_are_symmetric_and_others_are_as_short_as_can_be() {
         assert!(slits(&closed_cone(sides as usize, 80.0).mesh(), &normals).1, "cone {sides}");
     }
     // A symmetric net of a cone with an even number of sides has two long seams in place of one;
-    // the
-    // opening of the helmet lies to one side of its middle.
+    // the opening of the helmet lies to one side of its middle.
     let cuts = [closed_cone(64, 80.0), helmet()].map(|model| slits(&model.mesh(), &axes).0);
     assert!((cuts[0] - 403.0).abs() < 1.0 && (cuts[1] - 4469.0).abs() < 1.0, "{cuts:?}");
 }

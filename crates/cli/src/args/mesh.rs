@@ -24,9 +24,8 @@ pub(crate) struct MeshArgs {
     pub(crate) skin: Option<SkinArg>,
     /// Fold a mesh between its facets and stretch nothing, as a paper model is made; --facets=off
     /// never does. It suits flat facets: where the mesh samples a curved part, its triangles fold
-    /// to
-    /// slivers in many pieces, which may overlap, as the report says [default: where a coarse mesh
-    /// would not bend as one surface]
+    /// to slivers in many pieces, which may overlap, as the report says [default: where a coarse
+    /// mesh would not bend as one surface]
     #[arg(long, value_enum, ignore_case = true, value_name = "HOW", num_args = 0..=1,
         require_equals = true, default_missing_value = "on")]
     pub(crate) facets: Option<FacetsArg>,

@@ -155,12 +155,14 @@ struct Held {
 impl Given<'_> {
     /// The prediction for it, whose pattern may be fitted so often.
     fn judged(&self, fits: usize, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
+        let elastic = self.elastic(fits, watch)?;
         if !self.is_developable {
-            return self.elastic(fits, watch);
+            return Ok(elastic);
         }
-        rolled(&self.limits, self.curvature, |limits| {
-            Given { limits: limits.clone(), ..*self }.elastic(fits, watch)
-        })
+        let again =
+            |limits: &Limits| Given { limits: limits.clone(), ..*self }.elastic(fits, watch).ok();
+        let found = rolled(elastic, self.curvature, again);
+        if watch.stop() { Err(ElasticError::Stopped) } else { Ok(found) }
     }
 
     /// The prediction for an elastic sheet, whose pattern may be fitted so often.

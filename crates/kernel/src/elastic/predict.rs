@@ -104,14 +104,12 @@ struct Judge<'a> {
 impl Judge<'_> {
     /// The prediction, with the folds that the sheet needs. `None` where the watcher asks to stop.
     fn judged(&self, screened: &Predicted, watch: &mut dyn Watch) -> Option<Predicted> {
+        let elastic = self.elastic(screened, watch)?;
         if !self.is_developable() {
-            return self.elastic(screened, watch);
+            return Some(elastic);
         }
-        let judged = |limits: &Limits| {
-            let judge = Judge { limits, ..*self };
-            judge.elastic(screened, watch).ok_or(ElasticError::Stopped)
-        };
-        rolled(self.limits, screened.curvature, judged).ok()
+        let again = |limits: &Limits| Judge { limits, ..*self }.elastic(screened, watch);
+        Some(rolled(elastic, screened.curvature, again))
     }
 
     /// Whether the surface is developable, as far as its samples tell, and smooth.

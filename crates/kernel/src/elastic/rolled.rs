@@ -34,23 +34,23 @@ fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {
     (moment_share < 1.0).then(|| Limits { moment_share, ..limits.clone() })
 }
 
-/// What is predicted of a sheet whose surface is developable and has this curvature, 1/mm: `judged`
-/// as an elastic sheet and, if it may not take its shape so but yields, as one that is rolled. That
-/// its edges curl a little more than the surface counts for nothing.
-pub(super) fn rolled<E>(
-    limits: &Limits,
+/// What is predicted of a sheet whose surface is developable and has this curvature, 1/mm: what is
+/// predicted of the `elastic` one or, where that may not take its shape but yields, of one that is
+/// rolled, with the limits that `again` gets, if that takes its shape. That its edges curl a little
+/// more than the surface counts for nothing.
+pub(super) fn rolled(
+    elastic: Predicted,
     curvature: f64,
-    mut judged: impl FnMut(&Limits) -> Result<Predicted, E>,
-) -> Result<Predicted, E> {
+    again: impl FnOnce(&Limits) -> Option<Predicted>,
+) -> Predicted {
     let as_surface = |p: Predicted| Predicted { curvature: p.curvature.min(curvature), ..p };
-    let elastic = as_surface(judged(limits)?);
+    let elastic = as_surface(elastic);
     // What a formula says counts as it is: its range would take in nearly every sheet.
-    let most =
-        if elastic.basis == Basis::Screen { elastic.usage() } else { elastic.usage_range()[1] };
+    let is_screen = elastic.basis == Basis::Screen;
+    let most = if is_screen { elastic.usage() } else { elastic.usage_range()[1] };
     if most <= 1.0 {
-        return Ok(elastic);
+        return elastic;
     }
-    let Some(limits) = yielding(limits, curvature) else { return Ok(elastic) };
-    let rolled = as_surface(judged(&limits)?);
-    Ok(if rolled.usage_range()[0] <= 1.0 { rolled } else { elastic })
+    let rolled = yielding(&elastic.limits, curvature).and_then(|limits| again(&limits));
+    rolled.map(as_surface).filter(|rolled| rolled.usage_range()[0] <= 1.0).unwrap_or(elastic)
 }

@@ -24,7 +24,6 @@ use crate::material::{Limits, Material};
 use crate::measure::{Measures, RungMeasures};
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
-use std::convert::Infallible;
 
 /// The strain of the elastic sheet is at least that of the formula over this factor and at most
 /// that times it, on nine panels of ten.
@@ -103,11 +102,11 @@ pub(super) fn by_formula(limits: Limits, curvature: f64, warp_squared: f64) -> P
     let predicted = |limits: &Limits| {
         screened(limits.clone(), strain_of(limits, curvature, warp_squared), curvature)
     };
+    let elastic = predicted(&limits);
     if is_developable(&limits, warp_squared) {
-        let Ok(predicted) = rolled(&limits, curvature, |l| Ok::<_, Infallible>(predicted(l)));
-        return predicted;
+        return rolled(elastic, curvature, |yielding| Some(predicted(yielding)));
     }
-    predicted(&limits)
+    elastic
 }
 
 /// The strain of a sheet with this curvature, 1/mm, and this mean square of the warp, by area,

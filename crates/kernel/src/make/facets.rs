@@ -165,6 +165,9 @@ pub(super) fn folding(
     }
     let bodies = whole.components();
     let faults = Fault::of_bodies(smooth, body_of, bodies.len());
+    if faults.iter().all(Option::is_none) {
+        return None;
+    }
     // A strip lies flat exactly as a surface: what is asked for is how it bends.
     let on_border = whole.topology().on_border();
     let is_strip = |body: &Component| body.vertices.iter().all(|v| on_border[v.get()]);

@@ -140,8 +140,7 @@ impl<'a> Pieces<'a> {
     }
 
     /// Folds a hinge if it joins two pieces that do not overlap then, and its image with it;
-    /// whether
-    /// it did.
+    /// whether it did.
     pub(super) fn fold(&mut self, hinge: usize) -> bool {
         let image = self.mirror.map_or(hinge, |mirror| mirror.image(hinge));
         if image == hinge {

@@ -52,8 +52,7 @@ impl Mirror {
 
     /// An order of hinges as a symmetric net grows: those that the plane crosses first; then the
     /// first of those within it, if a middle is to come first (`middle_first`) and the plane
-    /// crosses
-    /// no facet; then pairs; and the others within the plane last.
+    /// crosses no facet; then pairs; and the others within the plane last.
     pub(super) fn arranged(
         &self,
         facets: &Facets,
@@ -148,8 +147,7 @@ impl Corners {
         }
         planes.extend(unit(axis.cross(from_centre(second))));
         // Models stand square to the axes, and look to -y: left is the image of right. What is
-        // least
-        // seen is best its own image. Numbers that differ by rounding are equal.
+        // least seen is best its own image. Numbers that differ by rounding are equal.
         let key = |normal: &Vec3| {
             let along = normal.x.abs().max(normal.y.abs()).max(normal.z.abs());
             let off_axis = if along > 1.0 - ONE_PLANE { 0.0 } else { 1.0 };

@@ -21,14 +21,11 @@
 //!    algorithm.
 //! 4. Cuts are made shorter and less seen: one is folded in place of a cheaper fold.
 //! 5. A body that is its own image in a plane (`mirror`) gets a net that is, too, if that has no
-//!    more
-//!    pieces and its cuts are hardly longer: it grows, and is mended and tidied, by pairs of
-//!    hinges,
-//!    of which both are folded or none. Such a net is easier to put together.
+//!    more pieces and its cuts are hardly longer: it grows, and is mended and tidied, by pairs of
+//!    hinges, of which both are folded or none. Such a net is easier to put together.
 //!
 //! Each body of a mesh is a net by itself. The number of comparisons of facets bounds the search,
-//! so
-//! it is the same on every machine.
+//! so it is the same on every machine.
 //!
 //! Out of sight is below and at the back: the model stands on a table, its top towards +z, and is
 //! looked at from the front, which is −y, as in the editor's views.
@@ -114,8 +111,7 @@ impl Left {
 }
 
 /// The net of a mesh with the fewest pieces that were found, each of its bodies by itself; it is
-/// cut
-/// along `seams` wherever they part two facets. `None` if the watcher asks to stop.
+/// cut along `seams` wherever they part two facets. `None` if the watcher asks to stop.
 pub fn net(mesh: &Mesh, seams: &Cut, options: &NetOptions, watch: &mut dyn Watch) -> Option<Net> {
     let of_triangle = vec![0; mesh.triangles().len()];
     let mut net = Net { facets: 0, pieces: 0, cuts: Vec::new(), of_triangle };

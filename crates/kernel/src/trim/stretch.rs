@@ -113,11 +113,7 @@ impl Stretch {
 
     /// The place at a length from its beginning.
     pub(super) fn at(&self, along: f64) -> Spot {
-        let along = self.within(along);
-        let (n, last) = (self.step_at(along), self.points.len() - 2);
-        let step = self.lengths[n + 1] - self.lengths[n];
-        let share =
-            if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+        let ((n, share), last) = (self.step_at(along), self.points.len() - 2);
         // Exact at both ends, so that places there are corners of the net line.
         let at = match share {
             0.0 => self.points[n],
@@ -129,15 +125,19 @@ impl Stretch {
         Spot { at, along: way.unwrap_or(Vec2::X) }
     }
 
-    /// The step that has the place at a length within the edge.
-    fn step_at(&self, along: f64) -> usize {
-        let last = self.points.len() - 2;
-        self.lengths[1..].partition_point(|&length| length < along).min(last)
+    /// The step that has the place at a length, and the share of the step up to the place.
+    fn step_at(&self, along: f64) -> (usize, f64) {
+        let (along, last) = (self.within(along), self.points.len() - 2);
+        let n = self.lengths[1..].partition_point(|&length| length < along).min(last);
+        let step = self.lengths[n + 1] - self.lengths[n];
+        let share =
+            if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+        (n, share)
     }
 
     /// How the sheet lies beside the place at a length; `None` where no triangle is known.
     pub(super) fn face_at(&self, along: f64) -> Option<Face> {
-        self.face(self.step_at(self.within(along)))
+        self.face(self.step_at(along).0)
     }
 
     fn face(&self, n: usize) -> Option<Face> {
@@ -181,10 +181,7 @@ impl Stretch {
 
     /// Where the place at a length lies in space.
     pub(super) fn in_space(&self, along: f64) -> Point3 {
-        let n = self.step_at(along);
-        let step = self.lengths[n + 1] - self.lengths[n];
-        let share =
-            if step > 0.0 { ((along - self.lengths[n]) / step).clamp(0.0, 1.0) } else { 0.0 };
+        let (n, share) = self.step_at(along);
         self.space[n].lerp(self.space[n + 1], share)
     }
 
