@@ -28,6 +28,23 @@ fn the_vessel_is_made_with_the_work_that_a_panel_may_take() {
     assert!(found.price < 22.5, "{}", found.price);
 }
 
+/// Cut along its shortest rung, this tube got folds of 114° with 800 samples, where the search for
+/// the best cut ends early.
+#[test]
+fn a_tube_has_no_folds_however_many_samples_it_has() {
+    let tube = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/good/mitred-tube.csv");
+    let mut before = f64::INFINITY;
+    for samples in [200, 400, 800] {
+        let options = ReadOptions { samples: Some(samples), ..ReadOptions::default() };
+        let design = read_input(tube.as_ref(), &options).unwrap();
+        let panel = &make(&design, &mut Unwatched).unwrap().parts[0];
+        let price = panel.found().unwrap().triangulation.price;
+        // The twist of a smooth surface is shared by more and more rungs.
+        assert!(price < 0.6 * before, "{samples}: {price} after {before}");
+        before = price;
+    }
+}
+
 /// A spline through points of a circle.
 fn circle(radius: f64, centre: [f64; 3]) -> Value {
     let point = |i: u32| {

@@ -222,9 +222,9 @@ fn of_meshes() -> Vec<Finding> {
         Kind::Flipped { count: 1 },
         Kind::TrianglesLeftOut { count: 1 },
         Kind::PointContacts { count: 2 },
-        Kind::TwoSkins { count: 1, thickness_mm: 3.0, laid: None },
-        Kind::TwoSkins { count: 1, thickness_mm: 3.0, laid: Some(Skin::Outer) },
-        Kind::TwoSkins { count: 2, thickness_mm: 3.0, laid: Some(Skin::Inner) },
+        Kind::TwoSkins { count: 1, bodies: 1, thickness_mm: 3.0, laid: None },
+        Kind::TwoSkins { count: 1, bodies: 2, thickness_mm: 3.0, laid: Some(Skin::Outer) },
+        Kind::TwoSkins { count: 2, bodies: 2, thickness_mm: 3.0, laid: Some(Skin::Inner) },
         Kind::NotTwoSkins,
     ]));
     all

@@ -219,7 +219,9 @@ pub fn finding_text(finding: &Finding) -> String {
             )
         ),
         Kind::Healed { damage, count } => healed(*damage, *count),
-        Kind::TwoSkins { count, thickness_mm, laid } => two_skins(*count, *thickness_mm, *laid),
+        Kind::TwoSkins { count, bodies, thickness_mm, laid } => {
+            two_skins([*count, *bodies], *thickness_mm, *laid)
+        }
         Kind::NotTwoSkins => "One skin of a plate was to be laid flat alone, and the mesh is no \
                               closed plate with two skins. All of it is laid flat."
             .to_owned(),

@@ -44,14 +44,20 @@ pub(super) fn healed(damage: Damage, count: usize) -> String {
 }
 
 /// That a mesh is a plate with two skins, and which is laid flat.
-pub(super) fn two_skins(count: usize, thickness_mm: f64, laid: Option<Skin>) -> String {
-    let what = if count == 1 {
-        format!("The mesh is a plate with two skins, {thickness_mm:.2} mm apart.")
-    } else {
-        format!(
-            "{count} closed parts of the mesh are plates with two skins; those of the first are \
+pub(super) fn two_skins(
+    [plates, bodies]: [usize; 2],
+    thickness_mm: f64,
+    laid: Option<Skin>,
+) -> String {
+    let what = match (plates, bodies) {
+        (1, 1) => format!("The mesh is a plate with two skins, {thickness_mm:.2} mm apart."),
+        (1, _) => format!(
+            "A closed part of the mesh is a plate with two skins, {thickness_mm:.2} mm apart."
+        ),
+        _ => format!(
+            "{plates} closed parts of the mesh are plates with two skins; those of the first are \
              {thickness_mm:.2} mm apart."
-        )
+        ),
     };
     let done = match laid {
         None => "Both are laid flat, with the band round their edges. One skin alone is the sheet.",

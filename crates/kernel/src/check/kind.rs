@@ -291,6 +291,8 @@ pub enum FindingKind {
     TwoSkins {
         /// How many plates.
         count: usize,
+        /// How many bodies the mesh has, plates among them.
+        bodies: usize,
         /// How far the skins of the first are apart, mm.
         thickness_mm: f64,
         /// The skin that is laid flat alone, if one is.

@@ -146,15 +146,41 @@ impl Fault {
     }
 }
 
-/// What is done about the facets of a mesh that was laid flat as a surface, in the parts `smooth`,
-/// which are of these bodies. Each body is judged by itself. `None` where settings say how it is
-/// laid flat, the sheet does not fold, the mesh has no fault, or it is a strip.
+/// The bodies of a mesh, in the order of its components.
+pub(super) struct Bodies<'a> {
+    pub(super) mesh: &'a Mesh,
+    /// Of each, whether it is a plate: sheet that bends, however coarse it came.
+    pub(super) plates: &'a [bool],
+    /// The body of each part that was laid flat as a surface.
+    pub(super) of_parts: &'a [usize],
+}
+
+impl Bodies<'_> {
+    /// How coarse each is.
+    fn coarseness(&self) -> impl Iterator<Item = Option<Coarseness>> {
+        let bodies = self.mesh.components();
+        bodies.iter().map(move |body| match bodies.len() {
+            1 => Some(coarseness(self.mesh)),
+            _ => Some(coarseness(&self.mesh.part(&body.triangles).ok()?.0)),
+        })
+    }
+
+    /// Whether each is a strip.
+    fn are_strips(&self) -> impl Iterator<Item = bool> {
+        let on_border = self.mesh.topology().on_border();
+        let is_strip = move |body: &Component| body.vertices.iter().all(|v| on_border[v.get()]);
+        self.mesh.components().iter().map(is_strip)
+    }
+}
+
+/// What is done about the facets of a mesh that was laid flat as a surface, in the parts `smooth`.
+/// Each body is judged by itself. `None` where settings say how it is laid flat, the sheet does not
+/// fold, the mesh has no fault, or where all bodies with one are plates or strips that bend badly.
 pub(super) fn folding(
     settings: &PanelMesh,
     material: Option<&Material>,
-    whole: &Mesh,
+    bodies: &Bodies<'_>,
     smooth: &Result<Vec<Part>, MakeError>,
-    body_of: &[usize],
 ) -> Option<Folding> {
     let is_open = settings.facets.is_none()
         && settings.split_creases.is_none()
@@ -163,22 +189,18 @@ pub(super) fn folding(
     if !is_open || !material.is_none_or(Material::folds) {
         return None;
     }
-    let bodies = whole.components();
-    let faults = Fault::of_bodies(smooth, body_of, bodies.len());
+    let count = bodies.plates.len();
+    let faults = Fault::of_bodies(smooth, bodies.of_parts, count);
     if faults.iter().all(Option::is_none) {
         return None;
     }
-    // A strip lies flat exactly as a surface: what is asked for is how it bends.
-    let on_border = whole.topology().on_border();
-    let is_strip = |body: &Component| body.vertices.iter().all(|v| on_border[v.get()]);
-    let coarse_of = |body: &Component| match bodies.len() {
-        1 => Some(coarseness(whole)),
-        _ => Some(coarseness(&whole.part(&body.triangles).ok()?.0)),
-    };
-    let judged = bodies
-        .iter()
-        .zip(faults)
-        .map(|(body, fault)| (coarse_of(body).filter(|_| !is_strip(body)), fault));
+    let known = bodies.coarseness().zip(bodies.are_strips()).zip(bodies.plates);
+    let judged = known.zip(faults).map(|(((coarse, is_strip), is_plate), fault)| {
+        // A strip lies flat exactly as a surface: what is asked for is how it bends, if it can be
+        // cut from one sheet.
+        let as_surface = *is_plate || (is_strip && fault != Some(Fault::Overlap));
+        (coarse.filter(|_| !as_surface), fault)
+    });
     let judged: Vec<(Option<Coarseness>, Option<Fault>)> = judged.collect();
     let reason = |&(coarse, fault): &(Option<Coarseness>, Option<Fault>)| {
         let coarse = coarse.filter(Coarseness::is_meant)?;
@@ -194,7 +216,7 @@ pub(super) fn folding(
     }
     // The whole mesh would be folded.
     let known = judged.into_iter().find_map(|(coarse, fault)| fault.and(coarse))?;
-    let coarse = if bodies.len() == 1 { known } else { coarseness(whole) };
+    let coarse = if count == 1 { known } else { coarseness(bodies.mesh) };
     coarse.has_few().then_some(Folding::Offered(coarse))
 }
 

@@ -12,7 +12,7 @@ use super::laid::Laid;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
 use super::seams::{Sewn, Side, places, seams_within};
-use super::skins::with_skin;
+use super::skins::{Skinned, with_skin};
 use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
 use crate::bend::{FOLDED_DEG, FoldTool, Mitred, crease, rounded};
@@ -71,11 +71,8 @@ pub(super) fn make_mesh(
     let divided = divided.map(|sheet| (sheet, Vec::new()));
     let pieces = pieces_of(cleaned, &whole, divided).map_err(failed)?;
     let mut smooth = make_parts(design, panel, settings, pieces, judging, watch);
-    // A plate with two skins is sheet that bends, however coarse it came.
-    if whole.skins.is_some() {
-        return smooth;
-    }
-    match facets::folding(settings, design.material.as_ref(), &whole.mesh, &smooth, &body_of) {
+    let bodies = facets::Bodies { mesh: &whole.mesh, plates: &whole.plates, of_parts: &body_of };
+    match facets::folding(settings, design.material.as_ref(), &bodies, &smooth) {
         Some(Folding::Meant(laid)) if !watch.stop() => {
             let pieces = whole.folded(cleaned, settings, &laid, watch).map_err(failed)?;
             make_parts(design, panel, settings, pieces, judging, watch)
@@ -148,6 +145,8 @@ struct Whole {
     contacts: usize,
     /// The finding on its two skins, if it is a plate that has them or if one was asked for.
     skins: Option<FindingKind>,
+    /// Of each of its bodies, whether it is such a plate.
+    plates: Vec<bool>,
     /// The sides along which it is to be cut.
     seams: Cut,
 }
@@ -167,13 +166,13 @@ impl Whole {
         let positions: Vec<Point3> =
             apart.origin.iter().map(|v| given.positions[v.get()]).collect();
         let triangles = apart.triangles.clone();
-        let (mesh, skins) = Mesh::new(positions.clone(), triangles)
+        let Skinned { mesh, said: skins, plates } = Mesh::new(positions.clone(), triangles)
             .and_then(|whole| with_skin(whole, settings.skin))
             .map_err(|error| bad(error, &positions, &apart.triangles))?;
         let before = Before { given: &settings.triangles.positions, healed: &positions };
         let seams = sides_along(&mesh, before, &settings.seams, watch).map_err(MakeCause::Seam)?;
         let seams = seams.ok_or(MakeCause::Flatten(FlattenError::Stopped))?;
-        Ok(Self { mesh, contacts: contacts.len(), skins, seams })
+        Ok(Self { mesh, contacts: contacts.len(), skins, plates, seams })
     }
 
     /// The mesh divided along its seams, and along its creases if settings say so.
@@ -253,12 +252,13 @@ impl Whole {
 
     /// Some of its bodies alone.
     fn of_bodies(&self, is_of: impl Fn(&usize) -> bool) -> Result<Self, MakeCause> {
-        let bodies = self.mesh.components();
-        let bodies = (0..bodies.len()).filter(&is_of).map(|n| &bodies[n]);
+        let of_these: Vec<usize> = (0..self.plates.len()).filter(is_of).collect();
+        let bodies = of_these.iter().map(|&n| &self.mesh.components()[n]);
         let triangles: Vec<TriangleIndex> = bodies.flat_map(|b| b.triangles.clone()).collect();
         let (mesh, vertices) = self.mesh.part(&triangles).map_err(|error| self.bad(error))?;
         let seams = cut_of_part(&self.mesh, &self.seams, &mesh, &vertices);
-        Ok(Self { mesh, contacts: self.contacts, skins: self.skins.clone(), seams })
+        let plates = of_these.iter().map(|&n| self.plates[n]).collect();
+        Ok(Self { mesh, contacts: self.contacts, skins: self.skins.clone(), plates, seams })
     }
 
     fn bad(&self, error: MeshError) -> MakeCause {

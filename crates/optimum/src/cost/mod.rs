@@ -49,6 +49,7 @@ use planes::{End, smooth, special};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane, size_of};
 use sheetwright_geometry::curve::Sample;
 use sheetwright_geometry::math::{Vec3, unit};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// All prices are multiples of this, 2⁻⁴⁴. As a twist it is a warp angle of 2·10⁻⁵ degrees, above
@@ -201,16 +202,24 @@ impl Prices {
         if self.numbers.is_empty() { i } else { self.numbers[i] }
     }
 
-    /// The prices of the loop of some of the samples, with the tangents that they have.
-    pub(crate) fn thinned(&self, kept: &[usize]) -> Self {
+    /// The prices of the loops of some of the samples, with the tangents that they have: those of
+    /// each loop are a range of `kept`.
+    pub(crate) fn thinned(&self, kept: &[usize], loops: &[Range<usize>]) -> Self {
         let mut ends: Vec<End> = kept.iter().map(|&i| self.ends[i]).collect();
-        let m = ends.len();
-        for i in 0..m {
-            let edge = unit(ends[(i + 1) % m].position - ends[i].position).unwrap_or(Vec3::ZERO);
-            ends[i].edge_out = edge;
-            ends[(i + 1) % m].edge_in = edge;
+        let mut after = vec![0; kept.len()];
+        for of_loop in loops {
+            for i in of_loop.clone() {
+                let next = if i + 1 == of_loop.end { of_loop.start } else { i + 1 };
+                let edge = unit(ends[next].position - ends[i].position).unwrap_or(Vec3::ZERO);
+                ends[i].edge_out = edge;
+                ends[next].edge_in = edge;
+                after[i] = next;
+            }
         }
         let mut thinned = self.of_some(ends);
+        if loops.len() > 1 {
+            thinned.after = after;
+        }
         if !self.numbers.is_empty() {
             thinned.numbers = kept.iter().map(|&i| self.numbers[i]).collect();
         }

@@ -50,7 +50,7 @@ variants!(FindingKind {
     TrianglesLeftOut { count },
     PartsLeftOut { count },
     Healed { damage, count },
-    TwoSkins { count, thickness_mm, laid },
+    TwoSkins { count, bodies, thickness_mm, laid },
     NotTwoSkins {},
     PointContacts { count },
     RoundedCorner { curve, turn },

@@ -3,6 +3,7 @@
 mod band;
 mod bound;
 mod chains;
+mod coarser;
 mod cover;
 mod floor;
 mod pockets;
@@ -93,7 +94,14 @@ fn of_ring(
     // A large table is filled once; its result stands unless the search finds a better one.
     let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
     let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
-    let first = search::first(chains, worth, &mut Part::new(watch, 0.0..0.1))?;
+    let part = &mut Part::new(watch, 0.0..0.1);
+    let mut first = None;
+    if is_large && !chains.has_plane() {
+        first = coarser::first(chains, bound, part)?;
+    }
+    if first.is_none() {
+        first = search::first(chains, worth, part)?;
+    }
     let limit = first.as_ref().map_or(bound, |first| first.price.min(bound));
     let part = &mut Part::new(watch, 0.1..1.0);
     let RingFound { triangles, lower_bound } = band::solve_exactly(chains, limit, part)?;

@@ -3,6 +3,7 @@
 use crate::cost::Prices;
 use crate::rung::Visibility;
 use crate::triangulate::{Rule, Terms};
+use std::slice;
 
 /// One sample in about so many is kept.
 const THINNING: usize = 4;
@@ -56,7 +57,7 @@ impl Terms<'_> {
     /// The terms of the loop of some of the samples.
     pub(super) fn thinned(&self, kept: &[usize]) -> Thinned {
         Thinned {
-            prices: self.prices.thinned(kept),
+            prices: self.prices.thinned(kept, slice::from_ref(&(0..kept.len()))),
             visibility: self.visibility.thinned(kept),
             forced: self.forced,
             rule: self.rule,

@@ -1,0 +1,74 @@
+//! A first triangulation of a large ring without a plane, from that of fewer samples.
+//!
+//! A good first triangulation is worth much: the exact search drops whatever is dearer, and where
+//! its work ends, the first is the answer. Cut along its shortest rung, a ring often gets folds
+//! there that the best surface has not. So the ring of about every second sample is triangulated
+//! first (from a quarter of the samples, if it is large itself, and so on), and all samples are cut
+//! where that surface has its cheapest rung. Solvers of differential equations begin on coarser
+//! grids likewise, which they call nested iteration.
+
+use super::super::{Solved, Terms, TriangulateError};
+use super::chains::{Chains, Spot};
+use super::{Part, polygon, solve};
+use sheetwright_geometry::watch::Watch;
+use std::ops::Range;
+
+/// One sample in so many is kept, and all corners if there are few.
+const THINNING: usize = 2;
+/// Corners are kept while there are at most as many as one in so many samples.
+const SAMPLES_A_CORNER: usize = 8;
+/// The share of the remaining work for the ring of fewer samples.
+const SHARE: f64 = 0.25;
+
+/// The triangulation of a ring of two loops; `None` if none is found up to `bound`.
+pub(super) fn first(
+    chains: &Chains<'_>,
+    bound: f64,
+    watch: &mut dyn Watch,
+) -> Result<Option<Solved>, TriangulateError> {
+    let Some([p, q]) = cheapest_join(chains, &mut Part::new(watch, 0.0..0.5))? else {
+        return Ok(None);
+    };
+    if chains.side(p, q).price == f64::INFINITY {
+        return Ok(None);
+    }
+    polygon::solve_simple(&chains.with_cut(p, q), bound, &mut Part::new(watch, 0.5..1.0))
+}
+
+/// The cheapest rung that joins the loops in the triangulation of fewer samples.
+fn cheapest_join(
+    chains: &Chains<'_>,
+    watch: &mut dyn Watch,
+) -> Result<Option<[Spot; 2]>, TriangulateError> {
+    let terms = chains.terms;
+    let kept = [0, 1].map(|chain| kept(chains, chain));
+    let samples: Vec<usize> =
+        [0, 1].iter().flat_map(|&c| kept[c].iter().map(move |&at| chains.chains[c][at])).collect();
+    let outer = kept[0].len();
+    let loops: [Range<usize>; 2] = [0..outer, outer..samples.len()];
+    let prices = terms.prices.thinned(&samples, &loops);
+    let visibility = terms.visibility.thinned(&samples);
+    let thinned = Terms { prices: &prices, visibility: &visibility, ..*terms };
+    let work = chains.work.part(SHARE);
+    let Some(found) = solve(&thinned, None, &loops, f64::INFINITY, work, watch)? else {
+        return Ok(None);
+    };
+    let sides = found.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let joins = sides.filter(|[a, b]| *a < outer && outer <= *b);
+    let price = |[a, b]: [usize; 2]| (thinned.side(a, b).price, prices.length(a, b));
+    let least = joins.min_by(|&one, &other| {
+        let (one_price, other_price) = (price(one), price(other));
+        one_price.0.total_cmp(&other_price.0).then(one_price.1.total_cmp(&other_price.1))
+    });
+    Ok(least.map(|[a, b]| {
+        [Spot { chain: 0, at: kept[0][a] }, Spot { chain: 1, at: kept[1][b - outer] }]
+    }))
+}
+
+/// The places on a loop whose samples are kept: corners, and about every second one between.
+fn kept(chains: &Chains<'_>, chain: usize) -> Vec<usize> {
+    let corner = |at: usize| chains.terms.prices.smooth_end(chains.chains[chain][at]).2 < 0.0;
+    let all = 0..chains.len(chain);
+    let are_few = SAMPLES_A_CORNER * all.clone().filter(|&at| corner(at)).count() <= all.len();
+    all.filter(|&at| at % THINNING == 0 || (are_few && corner(at))).collect()
+}
