@@ -3,7 +3,7 @@
 use sheetwright::bend::Mitred;
 use sheetwright::check::{
     Bend, BorderSide, CutWay, Division, Finding, FindingKind as Kind, Hindrance, LinePlace,
-    Movement, Place, PointReach, SeamCause, SeamPlace, TooTight, Verdict,
+    MeshSetting, Movement, Place, PointReach, SeamCause, SeamPlace, TooTight, Verdict,
 };
 use sheetwright::design::{Axis, DivideJoint, ReadNote, Unused};
 use sheetwright::divide::DivideFault;
@@ -226,8 +226,23 @@ fn of_meshes() -> Vec<Finding> {
         Kind::TwoSkins { count: 1, thickness_mm: 3.0, laid: Some(Skin::Outer) },
         Kind::TwoSkins { count: 2, thickness_mm: 3.0, laid: Some(Skin::Inner) },
         Kind::NotTwoSkins,
+        Kind::NoEffect { settings: vec![MeshSetting::Darts], is_net: true },
+        Kind::NoEffect {
+            settings: vec![MeshSetting::Aim, MeshSetting::SplitCreases, MeshSetting::Darts],
+            is_net: true,
+        },
+        Kind::NoEffect { settings: vec![MeshSetting::PiecesWithin], is_net: false },
+        piece_too_large(true, false),
+        piece_too_large(true, true),
+        piece_too_large(false, true),
+        piece_too_large(false, false),
     ]));
     all
+}
+
+fn piece_too_large(is_facet: bool, is_trimmed: bool) -> Kind {
+    let (size_mm, within_mm) = ([300.0, 186.25], [277.0, 190.0]);
+    Kind::PieceTooLarge { size_mm, within_mm, is_facet, is_trimmed }
 }
 
 fn of_boundaries() -> Vec<Finding> {

@@ -55,6 +55,17 @@ fn a_finding_reads_well() {
         said.collect::<Vec<_>>()
     };
     assert_eq!(
+        said("no-effect")[1],
+        "The mesh is folded between its facets and stretched nowhere, so the aim of flattening, the \
+         angle of creases that divide it and cuts where it would stretch have no effect. ()"
+    );
+    assert_eq!(
+        said("piece-too-large")[1],
+        "With what is added along its edges, this facet by itself is 300 × 186.3 mm, and a piece \
+         may have 277 × 190 mm. Add less along its edges, make the model smaller, or divide the \
+         facet. ()"
+    );
+    assert_eq!(
         said("strain-too-large")[0],
         "To take this shape, the sheet must stretch by 0.210 % within its plane. The limit for mild \
          steel, 1 mm is 0.120 %. In 0.63 mm it would take the shape. Move the boundary, or \

@@ -26,6 +26,7 @@ mod notches;
 mod paired;
 mod part;
 mod places;
+mod reach;
 mod stretch;
 mod tabs;
 
@@ -38,6 +39,7 @@ pub use fault::TrimFault;
 pub(crate) use cut::Trimmed;
 pub(crate) use holes::drilled;
 pub(crate) use part::TrimPart;
+pub(crate) use reach::beyond;
 
 use crate::design::{Flange, Trim, TrimKind};
 use crate::edge::EdgePlace;
