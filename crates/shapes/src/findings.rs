@@ -320,8 +320,10 @@ fn of_boundaries() -> Vec<Finding> {
 
 fn of_files() -> Vec<Finding> {
     let edge = || "fox-1/J3".to_owned();
-    let no_room =
-        TrimNote::NoRoomForTabs { edge: edge(), mate: "fox-2/J3".to_owned(), covered: 0.2 };
+    let joint = |n: usize| [format!("fox-1/J{n}"), format!("fox-2/J{n}")];
+    let seam = |n: usize| [format!("fox-1/S{n}"), format!("fox-1/S{n}")];
+    let no_room = |joints| TrimNote::NoRoomForTabs { joints, covered: 0.2 };
+    let all = (1..=9).map(seam).chain([joint(3)]).collect();
     let left_out = TrimNote::HolesLeftOut { edge: edge(), left_out: 2, of: 30 };
     let flange = |bent_mm| TrimNote::FlangeStretches { edge: edge(), flat_mm: 1000.0, bent_mm };
     let reduced =
@@ -363,7 +365,9 @@ fn of_files() -> Vec<Finding> {
         Kind::NoSheet { is_too_large: true },
         Kind::NoSheet { is_too_large: false },
         Kind::NotDivided { fault: DivideFault::NoThickness },
-        Kind::Trimmed { note: no_room },
+        Kind::Trimmed { note: no_room(vec![joint(3)]) },
+        Kind::Trimmed { note: no_room(vec![seam(12)]) },
+        Kind::Trimmed { note: no_room(all) },
         Kind::Trimmed { note: left_out },
         Kind::Trimmed { note: flange(1150.0) },
         Kind::Trimmed { note: flange(950.0) },

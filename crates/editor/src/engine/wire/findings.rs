@@ -85,7 +85,7 @@ variants!(FindingKind {
     FoldsMitred { count, of, why }
 });
 variants!(TrimNote {
-    NoRoomForTabs { edge, mate, covered },
+    NoRoomForTabs { joints, covered },
     HolesLeftOut { edge, left_out, of },
     FlangeStretches { edge, flat_mm, bent_mm },
     Closes { of_net, of_cut },
