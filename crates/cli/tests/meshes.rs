@@ -154,6 +154,20 @@ fn facets_are_folded_into_pieces_that_fit_the_paper() {
     }
     let svg = fs::read_to_string(desk.join("net/box-1.svg")).unwrap();
     assert!(svg.contains("class=\"fold mountain\" stroke-dasharray"), "{svg}");
+    // What does nothing is said.
+    let (said, _) = says(&desk, "check box.obj --facets --darts --aim max", 0);
+    assert!(said.contains("so the aim of flattening and cuts where it would stretch"), "{said}");
+    assert!(said.contains("--facets=off lays"), "{said}");
+    let (said, _) = says(&desk, "check box.obj --facets=off --pieces-within a4", 0);
+    assert!(said.contains("so the largest size of pieces has no effect. --facets folds"), "{said}");
+    let (said, _) = says(&desk, "check box.obj --facets --pieces-within 80x80", 0);
+    assert!(said.contains("This facet by itself is") && said.contains("80 × 80 mm"), "{said}");
+    // Tabs name what is printed: marks.
+    let narrow = "make box.obj --out tabs --facets --for paper --pieces-within a4";
+    let (said, _) = says(&desk, narrow, 0);
+    assert!(!said.contains("cut-"), "{said}");
+    let page = fs::read_to_string(desk.join("tabs/report.html")).unwrap();
+    assert!(!page.contains("/cut-"));
     let (said, _) = says(&desk, "check box.obj --pieces-within 3", 2);
     assert!(said.is_empty());
 }

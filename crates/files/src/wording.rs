@@ -212,6 +212,33 @@ pub(crate) fn thinned(list: &[usize], most: usize) -> Vec<usize> {
     (0..most).map(|n| list[n * (list.len() - 1) / (most - 1)]).collect()
 }
 
+/// Marks such as `S1` in the order of their numbers, each once; of those that follow one another,
+/// the first and the last.
+pub(crate) fn mark_ranges(mut marks: Vec<String>) -> String {
+    marks.sort_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
+    marks.dedup();
+    let parsed = |mark: &str| -> Option<(String, usize)> {
+        let letters = mark.trim_end_matches(|c: char| c.is_ascii_digit());
+        Some((letters.to_owned(), mark[letters.len()..].parse().ok()?))
+    };
+    let mut runs: Vec<(String, String)> = Vec::new();
+    let mut before: Option<(String, usize)> = None;
+    for mark in &marks {
+        let now = parsed(mark);
+        let follows = matches!((&before, &now),
+            (Some((a, n)), Some((b, m))) if a == b && n + 1 == *m);
+        match runs.last_mut().filter(|_| follows) {
+            Some(run) => run.1 = mark.clone(),
+            None => runs.push((mark.clone(), mark.clone())),
+        }
+        before = now;
+    }
+    let said = runs
+        .into_iter()
+        .map(|(first, last)| if first == last { first } else { format!("{first}–{last}") });
+    said.collect::<Vec<_>>().join(", ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

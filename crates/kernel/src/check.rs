@@ -19,7 +19,9 @@ mod verdict;
 pub use brake::braking;
 pub use finding::{Checked, Finding};
 pub use kind::FindingKind;
-pub use numbers::{Bend, CutWay, Division, Hindrance, Movement, PointReach, SeamCause, TooTight};
+pub use numbers::{
+    Bend, CutWay, Division, Hindrance, MeshSetting, Movement, PointReach, SeamCause, TooTight,
+};
 pub use place::{BorderSide, LinePlace, Place, SeamPlace};
 pub use remedy::Remedy;
 pub use severity::Severity;

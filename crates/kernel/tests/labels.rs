@@ -4,14 +4,17 @@
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
 
 use sheetwright::curve::{CurveKind, CurvePoint};
-use sheetwright::design::{Axis, BendRule, Design, DesignCurve, Mark, MarkKind, MarkOn};
-use sheetwright::design::{StationPlaces, Trim, TrimKind, TrimOn};
+use sheetwright::design::{Axis, BendRule, Design, DesignCurve, DesignPanel, Mark, MarkKind};
+use sheetwright::design::{MarkOn, PanelMesh, PanelShape, StationPlaces, Triangles};
+use sheetwright::design::{Trim, TrimKind, TrimOn};
 use sheetwright::make::{Judging, Part, make_judged};
-use sheetwright::math::{Point2, Point3, Vec2, cos, sin};
+use sheetwright::math::{Point2, Point3, Vec2, cos, sin, to_deg};
 use sheetwright::pattern::{LabelKind, PathKind, PatternLabel, Role};
 use sheetwright::template::catalogue;
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::low_poly::animal;
 use sheetwright_shapes::random::Random;
+use sheetwright_shapes::solids::Solid;
 use std::f64::consts::TAU;
 
 /// The corners of the box around a text: letters are two thirds of their height wide and a third
@@ -163,10 +166,8 @@ fn random_part(random: &mut Random, size_mm: f64) -> Design {
     design.curves = (0..count).map(curve).collect();
     let along =
         |n: usize| sheetwright::design::CurveUse { name: format!("edge-{n}"), reversed: false };
-    design.panels[0].shape = sheetwright::design::PanelShape::Loops {
-        outer: (0..count).map(along).collect(),
-        holes: Vec::new(),
-    };
+    design.panels[0].shape =
+        PanelShape::Loops { outer: (0..count).map(along).collect(), holes: Vec::new() };
     design
 }
 
@@ -272,4 +273,90 @@ fn numbers_of_ticks_move_along_their_edge_where_something_is_in_their_way() {
         moved += usize::from(ahead < 0.0);
     }
     assert!(moved > 0, "near a corner, some stand before their ticks");
+}
+
+/// The pieces of the net of a model, this many times as large, on A4.
+fn net(solid: &Solid, scale: f64) -> Vec<Part> {
+    let mesh = solid.mesh();
+    let large = |p: &Point3| Point3::new(scale * p.x, scale * p.y, scale * p.z);
+    let positions = mesh.positions().iter().map(large).collect();
+    let triangles = mesh.triangles().to_vec();
+    let given = PanelMesh::new(Triangles { positions, triangles, left_out: 0 });
+    let within = Some([270.0, 180.0]);
+    let mesh = PanelMesh { facets: Some(true), pieces_within_mm: within, ..given };
+    let panels = vec![DesignPanel::new("net", PanelShape::Mesh(mesh), 0)];
+    let design = Design { panels, ..Design::default() };
+    make_judged(&design, Judging::Quick, &mut Unwatched).unwrap().parts
+}
+
+/// The lines of a part that are cut or folded.
+fn cut_or_folded(part: &Part) -> Vec<[Point2; 2]> {
+    let paths = part.piece.paths.iter();
+    let paths = paths.filter(|path| path.role.is_cut() || path.role == Role::Score);
+    let steps = paths.flat_map(|path| {
+        let last = path.closed.then(|| [path.points[path.points.len() - 1], path.points[0]]);
+        path.points.windows(2).map(|w| [w[0], w[1]]).chain(last)
+    });
+    steps.collect()
+}
+
+#[test]
+fn angles_of_a_net_stand_along_their_folds() {
+    for scale in [1.0, 0.5] {
+        for part in net(&animal(), scale) {
+            let lines = cut_or_folded(&part);
+            let angles = part.piece.labels.iter().filter(|label| label.kind == LabelKind::Angle);
+            let angles: Vec<&PatternLabel> = angles.collect();
+            let (left_out, of) = part.piece.folds_without_angle();
+            assert_eq!(angles.len() + left_out, of);
+            for label in angles {
+                let [a, b, c, d] = corners(label);
+                let middle = a.lerp(c, 0.5);
+                let is_told = |ends: [Point2; 2]| {
+                    let [from, to] = ends;
+                    let way = (to - from) / from.distance(to);
+                    let off = |p: Point2| way.perp_dot(p - from).abs();
+                    let nearest = off(a).max(off(b)).min(off(c).max(off(d)));
+                    let foot = from + way * (middle - from).dot(way);
+                    let is_beside = foot.distance_to_segment(ends) < 1e-9;
+                    let short = foot.lerp(middle, 1e-6);
+                    let is_parted = lines.iter().any(|line| overlap(&[short, middle], line));
+                    nearest < 0.3 * label.height_mm && is_beside && !is_parted
+                };
+                let folds = part.piece.bends.iter();
+                let mut told = folds.filter(|fold| is_told(fold.ends));
+                let text = |angle: f64| format!("{:.0}°", to_deg(angle.abs()));
+                let is_right = told.any(|fold| text(fold.angle) == label.text);
+                assert!(is_right, "{}: '{}' at {middle:?}", part.name, label.text);
+            }
+        }
+    }
+}
+
+#[test]
+fn marks_of_a_net_can_be_read() {
+    // Where two cuts meet at a needle's point, some marks find no room within reach.
+    for (scale, most) in [(1.0, 0.05), (0.5, 0.2)] {
+        let (mut crossed, mut count) = (0, 0);
+        for part in net(&animal(), scale) {
+            let lines = cut_or_folded(&part);
+            let marks = part.piece.labels.iter().filter(|label| label.kind == LabelKind::Mark);
+            let boxes: Vec<[Point2; 4]> = marks
+                .map(|label| {
+                    let [a, b, c, d] = corners(label);
+                    // Digits and capitals stand on the base line.
+                    let tail = label.along.perp() * (label.height_mm / 3.0);
+                    [a + tail, b + tail, c, d]
+                })
+                .collect();
+            let is_crossed = |n: &usize| {
+                let of_others = (0..boxes.len()).filter(|m| m != n);
+                lines.iter().any(|line| overlap(&boxes[*n], line))
+                    || of_others.into_iter().any(|m| overlap(&boxes[*n], &boxes[m]))
+            };
+            crossed += (0..boxes.len()).filter(is_crossed).count();
+            count += boxes.len();
+        }
+        assert!((crossed as f64) < most * count as f64, "{scale}: {crossed} of {count}");
+    }
 }

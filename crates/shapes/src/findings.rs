@@ -3,7 +3,7 @@
 use sheetwright::bend::Mitred;
 use sheetwright::check::{
     Bend, BorderSide, CutWay, Division, Finding, FindingKind as Kind, Hindrance, LinePlace,
-    Movement, Place, PointReach, SeamCause, SeamPlace, TooTight, Verdict,
+    MeshSetting, Movement, Place, PointReach, SeamCause, SeamPlace, TooTight, Verdict,
 };
 use sheetwright::design::{Axis, DivideJoint, ReadNote, Unused};
 use sheetwright::divide::DivideFault;
@@ -226,8 +226,23 @@ fn of_meshes() -> Vec<Finding> {
         Kind::TwoSkins { count: 1, bodies: 2, thickness_mm: 3.0, laid: Some(Skin::Outer) },
         Kind::TwoSkins { count: 2, bodies: 2, thickness_mm: 3.0, laid: Some(Skin::Inner) },
         Kind::NotTwoSkins,
+        Kind::NoEffect { settings: vec![MeshSetting::Darts], is_net: true },
+        Kind::NoEffect {
+            settings: vec![MeshSetting::Aim, MeshSetting::SplitCreases, MeshSetting::Darts],
+            is_net: true,
+        },
+        Kind::NoEffect { settings: vec![MeshSetting::PiecesWithin], is_net: false },
+        piece_too_large(true, false),
+        piece_too_large(true, true),
+        piece_too_large(false, true),
+        piece_too_large(false, false),
     ]));
     all
+}
+
+fn piece_too_large(is_facet: bool, is_trimmed: bool) -> Kind {
+    let (size_mm, within_mm) = ([300.0, 186.25], [277.0, 190.0]);
+    Kind::PieceTooLarge { size_mm, within_mm, is_facet, is_trimmed }
 }
 
 fn of_boundaries() -> Vec<Finding> {
@@ -305,8 +320,10 @@ fn of_boundaries() -> Vec<Finding> {
 
 fn of_files() -> Vec<Finding> {
     let edge = || "fox-1/J3".to_owned();
-    let no_room =
-        TrimNote::NoRoomForTabs { edge: edge(), mate: "fox-2/J3".to_owned(), covered: 0.2 };
+    let joint = |n: usize| [format!("fox-1/J{n}"), format!("fox-2/J{n}")];
+    let seam = |n: usize| [format!("fox-1/S{n}"), format!("fox-1/S{n}")];
+    let no_room = |joints| TrimNote::NoRoomForTabs { joints, covered: 0.2 };
+    let all = (1..=9).map(seam).chain([joint(3)]).collect();
     let left_out = TrimNote::HolesLeftOut { edge: edge(), left_out: 2, of: 30 };
     let flange = |bent_mm| TrimNote::FlangeStretches { edge: edge(), flat_mm: 1000.0, bent_mm };
     let reduced =
@@ -348,7 +365,9 @@ fn of_files() -> Vec<Finding> {
         Kind::NoSheet { is_too_large: true },
         Kind::NoSheet { is_too_large: false },
         Kind::NotDivided { fault: DivideFault::NoThickness },
-        Kind::Trimmed { note: no_room },
+        Kind::Trimmed { note: no_room(vec![joint(3)]) },
+        Kind::Trimmed { note: no_room(vec![seam(12)]) },
+        Kind::Trimmed { note: no_room(all) },
         Kind::Trimmed { note: left_out },
         Kind::Trimmed { note: flange(1150.0) },
         Kind::Trimmed { note: flange(950.0) },

@@ -12,13 +12,11 @@ mod step_page;
 mod title;
 
 use crate::pdf::{Paper, PdfPage, document};
-use crate::wording::millimetres;
+use crate::wording::{mark_ranges as ranges, millimetres};
 use flow::Flow;
 use sheetwright::bend::Hit;
-use sheetwright::edge::{Edge, EdgePlace, EdgeSource};
-use sheetwright::index::VertexIndex;
+use sheetwright::edge::{Edge, EdgePlace};
 use sheetwright::make::{CutItem, Made, Part};
-use sheetwright::pattern::seam_mark;
 
 /// Lengths of joined edges that differ by less than this, mm, are equal to a builder.
 const EQUAL_MM: f64 = 0.05;
@@ -110,17 +108,7 @@ fn edge_name(part: &Part, edge: &Edge, with: usize) -> String {
 
 /// The marks by which an edge is called, or its name.
 fn edge_marks(part: &Part, edge: &Edge, with: usize) -> Vec<String> {
-    if let EdgeSource::Cut { number, .. } = edge.source {
-        return vec![seam_mark(part.sheet.first_seam() + number)];
-    }
-    let joints = part.given().map_or(&[][..], |given| &given.joints);
-    let mut steps: Vec<[usize; 2]> = edge.run.windows(2).map(|step| [step[0], step[1]]).collect();
-    steps.sort_unstable();
-    let is_along =
-        |step: &[VertexIndex; 2]| steps.binary_search(&step.map(VertexIndex::get)).is_ok();
-    let of_edge = joints.iter().filter(|joint| joint.with == with);
-    let marks = of_edge.filter(|joint| joint.steps.iter().any(is_along));
-    let marks: Vec<String> = marks.map(|joint| joint.mark.clone()).collect();
+    let marks = part.edge_marks(edge, Some(with));
     if marks.is_empty() { vec![edge.name.clone()] } else { marks }
 }
 
@@ -143,33 +131,6 @@ fn seam_or_own_names(made: &Made, places: [EdgePlace; 2]) -> Vec<String> {
     let part = &made.parts[own.part];
     let own_names = || edge_marks(part, &part.edges[own.edge], other.part);
     seam_names(made, places).unwrap_or_else(own_names)
-}
-
-/// Marks such as `S1` in the order of their numbers, each once; of those that follow one another,
-/// the first and the last.
-fn ranges(mut marks: Vec<String>) -> String {
-    marks.sort_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
-    marks.dedup();
-    let parsed = |mark: &str| -> Option<(String, usize)> {
-        let letters = mark.trim_end_matches(|c: char| c.is_ascii_digit());
-        Some((letters.to_owned(), mark[letters.len()..].parse().ok()?))
-    };
-    let mut runs: Vec<(String, String)> = Vec::new();
-    let mut before: Option<(String, usize)> = None;
-    for mark in &marks {
-        let now = parsed(mark);
-        let follows = matches!((&before, &now),
-            (Some((a, n)), Some((b, m))) if a == b && n + 1 == *m);
-        match runs.last_mut().filter(|_| follows) {
-            Some(run) => run.1 = mark.clone(),
-            None => runs.push((mark.clone(), mark.clone())),
-        }
-        before = now;
-    }
-    let said = runs
-        .into_iter()
-        .map(|(first, last)| if first == last { first } else { format!("{first}–{last}") });
-    said.collect::<Vec<_>>().join(", ")
 }
 
 /// A length with the one that it is joined to, where they differ.

@@ -1,9 +1,10 @@
 //! The edges that are joined, in `report.html`: their lengths on the patterns, side by side.
 
 use super::page::table;
-use crate::wording::decimal;
+use crate::wording::{decimal, mark_ranges};
 use maud::{Markup, html};
-use sheetwright::make::Made;
+use sheetwright::edge::Edge;
+use sheetwright::make::{Made, Part};
 
 /// The most rows; `report.json` has all.
 const MOST_ROWS: usize = 200;
@@ -64,13 +65,18 @@ fn pairs(made: &Made) -> Vec<Joined> {
                     continue;
                 }
                 let other = &made.parts[mate.part];
-                let names = [
-                    format!("{}/{}", part.name, edge.name),
-                    format!("{}/{}", other.name, other.edges[mate.edge].name),
-                ];
+                let of_other = &other.edges[mate.edge];
+                let names = [shown(part, edge, mate.part), shown(other, of_other, number)];
                 pairs.push(Joined { names, lengths_mm });
             }
         }
     }
     pairs
+}
+
+/// An edge as the pattern shows it where it meets another part.
+fn shown(part: &Part, edge: &Edge, with: usize) -> String {
+    let marks = part.edge_marks(edge, Some(with));
+    let shown = if marks.is_empty() { edge.name.clone() } else { mark_ranges(marks) };
+    format!("{}/{shown}", part.name)
 }

@@ -108,7 +108,18 @@ impl MeshPage<'_> {
                 " Join the sides that have the same mark, " b { (seam_mark(first)) } " to "
                 b { (seam_mark(first + seams.len() - 1)) } "."
             }
+            (self.angles())
             (self.edges())
+        }
+    }
+
+    /// How many folds of a net have no room for their angles.
+    fn angles(&self) -> Markup {
+        let (left_out, of) = self.page.part.piece.folds_without_angle();
+        html! {
+            @if self.given.is_net && left_out > 0 {
+                " " (left_out) " of " (of) " folds have no room for their angles."
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use super::divided::{by, not_divided, piece_of};
 use super::healed::{healed, two_skins};
 use super::marks::marked;
 use super::moved::{keeps_from_bending, listed, movement, not_needed, ran_on};
+use super::nets::{no_effect, piece_too_large};
 use super::parted::{bends_divided, divided_in_vain};
 use super::place::point;
 use super::points::points;
@@ -171,6 +172,10 @@ pub fn finding_text(finding: &Finding) -> String {
         Kind::FacetsFew { facets } => format!(
             "Folded between its {facets} facets, the mesh takes its shape without stretching."
         ),
+        Kind::NoEffect { settings, is_net } => no_effect(settings, *is_net),
+        Kind::PieceTooLarge { size_mm, within_mm, is_facet, is_trimmed } => {
+            piece_too_large([*size_mm, *within_mm], *is_facet, *is_trimmed)
+        }
         Kind::BendLines { count, sharpest } => bend_lines(*count, *sharpest),
         Kind::LengthError { largest, closes_holes: true } => format!(
             "Lengths in the pattern differ from those on the surface by {}. This lets the \

@@ -9,6 +9,7 @@ mod finding;
 mod healed;
 mod marks;
 mod moved;
+mod nets;
 mod parted;
 mod place;
 mod points;

@@ -55,6 +55,29 @@ fn a_finding_reads_well() {
         said.collect::<Vec<_>>()
     };
     assert_eq!(
+        said("no-effect")[1],
+        "The mesh is folded between its facets and stretched nowhere, so the aim of flattening, the \
+         angle of creases that divide it and cuts where it would stretch have no effect. ()"
+    );
+    assert_eq!(
+        said("piece-too-large")[1],
+        "With what is added along its edges, this facet by itself is 300 × 186.3 mm, and a piece \
+         may have 277 × 190 mm. Add less along its edges, make the model smaller, or divide the \
+         facet. ()"
+    );
+    assert_eq!(
+        said("trim")[..3],
+        [
+            "There is room for full tabs along 20 % of the joint of fox-1/J3 with fox-2/J3, on \
+             either side. Make the tabs narrower, or glue it edge to edge. ()",
+            "There is room for full tabs along 20 % of the seam fox-1/S12, on either side. Make the \
+             tabs narrower, or glue it edge to edge. ()",
+            "There is room for full tabs along less than half of 10 joints, on either side, of one \
+             along 20 % of it: fox-1/S1, fox-1/S2, fox-1/S3, fox-1/S4, fox-1/S5, fox-1/S6 and 4 \
+             more. Make the tabs narrower, or glue them edge to edge. ()",
+        ]
+    );
+    assert_eq!(
         said("strain-too-large")[0],
         "To take this shape, the sheet must stretch by 0.210 % within its plane. The limit for mild \
          steel, 1 mm is 0.120 %. In 0.63 mm it would take the shape. Move the boundary, or \

@@ -2,14 +2,13 @@
 
 use sheetwright::trim::TrimNote;
 
+/// The most joints that a note names.
+const SHOWN: usize = 6;
+
 /// A note on the trims of a part, in words.
 pub(super) fn trimmed(note: &TrimNote) -> String {
     match note {
-        TrimNote::NoRoomForTabs { edge, mate, covered } => format!(
-            "There is room for full tabs along {:.0} % of the joint of {edge} with {mate}, on either \
-             side. Make the tabs narrower, or glue it edge to edge.",
-            100.0 * covered
-        ),
+        TrimNote::NoRoomForTabs { joints, covered } => no_room_for_tabs(joints, *covered),
         TrimNote::HolesLeftOut { edge, left_out, of } => format!(
             "{left_out} of {of} holes along {edge} are left out, on both sides of the joint: they \
              would reach over an edge or into another hole. Move the holes nearer to the edge, or \
@@ -35,4 +34,33 @@ pub(super) fn trimmed(note: &TrimNote) -> String {
                                edges. Mend the overlap first."
             .to_owned(),
     }
+}
+
+/// Joints whose tabs cover less than half of them, of one this share.
+fn no_room_for_tabs(joints: &[[String; 2]], covered: f64) -> String {
+    // Both sides of a seam have one mark.
+    let named = |[edge, mate]: &[String; 2]| match edge == mate {
+        true => edge.clone(),
+        false => format!("{edge} with {mate}"),
+    };
+    let per_cent = 100.0 * covered;
+    if let [joint] = joints {
+        let what = if joint[0] == joint[1] { "seam" } else { "joint of" };
+        return format!(
+            "There is room for full tabs along {per_cent:.0} % of the {what} {}, on either side. \
+             Make the tabs narrower, or glue it edge to edge.",
+            named(joint)
+        );
+    }
+    let shown: Vec<String> = joints.iter().take(SHOWN).map(named).collect();
+    let more = match joints.len().saturating_sub(SHOWN) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!(
+        "There is room for full tabs along less than half of {} joints, on either side, of one along \
+         {per_cent:.0} % of it: {}{more}. Make the tabs narrower, or glue them edge to edge.",
+        joints.len(),
+        shown.join(", ")
+    )
 }

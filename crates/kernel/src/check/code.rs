@@ -31,6 +31,8 @@ impl FindingKind {
             | Self::StrainNotReached { .. }
             | Self::WindowGap { .. }
             | Self::NotTwoSkins
+            | Self::NoEffect { .. }
+            | Self::PieceTooLarge { .. }
             | Self::Divide { .. }
             | Self::BorderNotTrue { .. }
             | Self::RoundedCorner { .. }
@@ -125,6 +127,8 @@ impl FindingKind {
             Self::Folds { .. } | Self::Creases { .. } => "folds",
             Self::FoldedFacets { .. } => "folds",
             Self::FacetsMeant { .. } | Self::FacetsFew { .. } => "facets",
+            Self::NoEffect { .. } => "no-effect",
+            Self::PieceTooLarge { .. } => "piece-too-large",
             Self::BendLines { .. } => "bend-lines",
             Self::LengthError { .. } | Self::Stretch { .. } => "length-error",
             Self::WindowGap { .. } => "window-gap",
@@ -183,6 +187,8 @@ impl FindingKind {
             Self::TooLarge { .. } => vec![Remedy::Divide],
             Self::FacetsMeant { .. } => vec![Remedy::NoFacets],
             Self::FacetsFew { .. } => vec![Remedy::Facets],
+            Self::NoEffect { is_net: true, .. } => vec![Remedy::NoFacets],
+            Self::NoEffect { is_net: false, .. } => vec![Remedy::Facets],
             Self::Creases { stiff, .. } => listed(&[(stiff.is_some(), Remedy::SplitCreases)]),
             Self::TwoSkins { laid: None, .. } => vec![Remedy::OneSkin],
             Self::PdfReduced { sheets, most, is_full, .. } => {

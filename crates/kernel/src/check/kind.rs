@@ -2,7 +2,7 @@
 //! `files` writes the sentences.
 
 use super::numbers::{
-    Bend, CutWay, Division, Hindrance, Movement, PointReach, SeamCause, TooTight,
+    Bend, CutWay, Division, Hindrance, MeshSetting, Movement, PointReach, SeamCause, TooTight,
 };
 use super::verdict::Verdict;
 use crate::bend::Mitred;
@@ -215,6 +215,24 @@ pub enum FindingKind {
     FacetsFew {
         /// How many there are.
         facets: usize,
+    },
+    /// Settings have no effect on the way in which a mesh is laid flat.
+    NoEffect {
+        /// Which.
+        settings: Vec<MeshSetting>,
+        /// Whether it is folded between its facets; else it is laid flat as a surface.
+        is_net: bool,
+    },
+    /// A piece of a net is larger than it may be.
+    PieceTooLarge {
+        /// Its width and height as it is cut, mm.
+        size_mm: [f64; 2],
+        /// What it may have, mm.
+        within_mm: [f64; 2],
+        /// Whether it is one facet, which nothing divides.
+        is_facet: bool,
+        /// Whether it would be small enough without what is added along its edges.
+        is_trimmed: bool,
     },
     /// The sheet bends at single rulings so much that they are bend lines.
     BendLines {

@@ -100,3 +100,16 @@ pub enum CutWay {
     /// Along the rails, or straight along the long direction.
     Lengthwise,
 }
+
+/// How a mesh is asked to be laid flat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshSetting {
+    /// What flattening minimises.
+    Aim,
+    /// Dividing it along its creases.
+    SplitCreases,
+    /// Cutting it where it would stretch.
+    Darts,
+    /// The largest size of its pieces.
+    PiecesWithin,
+}

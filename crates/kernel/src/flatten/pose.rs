@@ -26,6 +26,26 @@ pub(crate) fn fits_in(points: &[Point2], [width, height]: [f64; 2]) -> bool {
     size.x <= width.max(height) + rounding && size.y <= width.min(height) + rounding
 }
 
+/// Whether points that are laid so lie within a rectangle of this width and height, mm, either way
+/// round, with others that are no farther from them than `reach_mm`.
+pub(crate) fn fits_in_with(
+    points: &[Point2],
+    (reach_mm, others): (f64, impl FnOnce() -> Vec<Point2>),
+    [width, height]: [f64; 2],
+) -> bool {
+    let (size, along) = least_rectangle(points);
+    let rounding = 1e-9 * (width + height);
+    let fits = |size: Vec2| {
+        let [long, short] = [size.x.max(size.y), size.x.min(size.y)];
+        long <= width.max(height) + rounding && short <= width.min(height) + rounding
+    };
+    if !fits(size) || fits(size + Vec2::splat(2.0 * reach_mm)) {
+        return fits(size);
+    }
+    let all = points.iter().copied().chain(others()).map(|p| turned(along)(&p));
+    Box2::of_points(all).is_none_or(|around| fits(around.max - around.min))
+}
+
 /// The direction of the longer side of the rectangle of least area around some points.
 pub(crate) fn long_side(points: &[Point2]) -> Vec2 {
     least_rectangle(points).1

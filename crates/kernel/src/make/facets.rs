@@ -3,14 +3,17 @@
 use super::part::Part;
 use super::seams::{Side, places, side};
 use super::{MakeCause, MakeError};
-use crate::check::{FacetsMeant, Finding, FindingKind, Verdict};
-use crate::design::PanelMesh;
+use crate::check::{FacetsMeant, Finding, FindingKind, MeshSetting, Verdict};
+use crate::design::{Design, PanelMesh, PanelShape};
 use crate::flatten::{Aim, Ended, FlattenError, Relaxed, unfold};
 use crate::material::Material;
-use crate::mesh::{Component, Cut, Mesh};
-use crate::nets::{Coarseness, NetOptions, coarseness, net};
+use crate::mesh::{Component, Cut, Mesh, MeshEdge};
+use crate::nets::{Beyond, Coarseness, NetOptions, coarseness, net};
 use crate::sheet::{Sheet, cut_along_lines};
+use crate::trim::beyond;
 use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::Point2;
+use sheetwright_geometry::predicate::Box2;
 use sheetwright_geometry::watch::Watch;
 
 /// A line along which a piece is cut without falling apart, side by side.
@@ -28,18 +31,23 @@ pub(super) struct NetPiece {
     pub(super) meant: Option<FacetsMeant>,
 }
 
+/// The limits of the net of a panel, which counts what the trims of its design will add.
+pub(super) fn net_options(design: &Design, settings: &PanelMesh) -> NetOptions {
+    let within_mm = settings.pieces_within_mm;
+    let beyond = within_mm.map_or_else(Beyond::default, |_| beyond(&design.trims));
+    NetOptions { within_mm, beyond }
+}
+
 /// A mesh taken apart into the pieces of its net, which is cut along `seams`, and the net of each,
 /// in the order of the components. Where it is folded by itself, `meant` says why, for each body.
 pub(super) fn divided(
     whole: &Mesh,
     seams: &Cut,
-    settings: &PanelMesh,
+    options: &NetOptions,
     meant: &[Option<FacetsMeant>],
     watch: &mut dyn Watch,
 ) -> Result<(Sheet, Vec<NetPiece>), MakeCause> {
-    let options = NetOptions { within_mm: settings.pieces_within_mm };
-    let net =
-        net(whole, seams, &options, watch).ok_or(MakeCause::Flatten(FlattenError::Stopped))?;
+    let net = net(whole, seams, options, watch).ok_or(MakeCause::Flatten(FlattenError::Stopped))?;
     let sheet = net.apart(whole).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
     let apart = sheet.mesh();
     let places = places(whole, apart);
@@ -226,4 +234,64 @@ pub(super) fn offer(parts: &mut [Part], coarse: Coarseness) {
         let kind = FindingKind::FacetsFew { facets: coarse.facets };
         part.checked.add(Finding::of_whole(kind));
     }
+}
+
+/// Says of a panel which of its settings have no effect on the way in which it was laid flat, with
+/// the first of its parts that this is true of.
+pub(super) fn say_no_effect(parts: &mut [Part], settings: &PanelMesh) {
+    let of_surface = [
+        (settings.aim != Aim::Mean, MeshSetting::Aim),
+        (settings.split_creases.is_some(), MeshSetting::SplitCreases),
+        (settings.darts, MeshSetting::Darts),
+    ];
+    let of_net = [(settings.pieces_within_mm.is_some(), MeshSetting::PiecesWithin)];
+    for (is_net, without) in [(true, &of_surface[..]), (false, &of_net[..])] {
+        let asked = without.iter().filter(|(is_asked, _)| *is_asked);
+        let settings: Vec<MeshSetting> = asked.map(|(_, setting)| *setting).collect();
+        let is_so = |part: &&mut Part| part.given().is_some_and(|given| given.is_net == is_net);
+        if let (false, Some(part)) = (settings.is_empty(), parts.iter_mut().find(is_so)) {
+            part.checked.add(Finding::of_whole(FindingKind::NoEffect { settings, is_net }));
+        }
+    }
+}
+
+/// Says which pieces of nets are larger than they may be, with all that is added along their edges.
+pub(super) fn say_too_large<'a>(parts: impl Iterator<Item = &'a mut Part>, design: &Design) {
+    for part in parts {
+        let is_said = |finding: &Finding| matches!(finding.kind, FindingKind::PieceTooLarge { .. });
+        part.checked.findings.retain(|finding| !is_said(finding));
+        let Some(within_mm) = largest_piece_mm(design, part) else { continue };
+        let size = part.piece.size;
+        let corners = [Point2::default(), Point2::default() + size];
+        if is_within(&corners, within_mm) {
+            continue;
+        }
+        let mesh = part.sheet.mesh();
+        let is_inside = |edge: &MeshEdge| edge.is_border() || part.sheet.is_within_face(edge);
+        let is_facet = mesh.edges().iter().all(is_inside);
+        let kind = FindingKind::PieceTooLarge {
+            size_mm: [size.x.max(size.y), size.x.min(size.y)],
+            within_mm: [within_mm[0].max(within_mm[1]), within_mm[0].min(within_mm[1])],
+            is_facet,
+            is_trimmed: is_within(&part.flat.points, within_mm),
+        };
+        part.checked.add(Finding::of_whole(kind));
+    }
+}
+
+/// The largest size of a piece of a net, mm, if its panel has one.
+fn largest_piece_mm(design: &Design, part: &Part) -> Option<[f64; 2]> {
+    let panel = design.panels.iter().find(|panel| panel.name == part.panel)?;
+    let PanelShape::Mesh(settings) = &panel.shape else { return None };
+    settings.pieces_within_mm.filter(|_| part.given().is_some_and(|given| given.is_net))
+}
+
+/// Whether the box around some points is no larger than a rectangle, either way round.
+fn is_within(points: &[Point2], [width, height]: [f64; 2]) -> bool {
+    let rounding_mm = 1e-6 * (width + height);
+    let size = Box2::of_points(points.iter().copied()).map(|around| around.max - around.min);
+    size.is_none_or(|size| {
+        let [long, short] = [size.x.max(size.y), size.x.min(size.y)];
+        long <= width.max(height) + rounding_mm && short <= width.min(height) + rounding_mm
+    })
 }

@@ -3,7 +3,7 @@
 //! 1. A panel depends on the curves that bound it, on its own settings, on the material, on the
 //!    thickness and the face that was drawn, on how its bends are marked, and on how many samples
 //!    its curves get where seams are matched or a tolerance says; one that joins others, on those
-//!    too. A panel for
+//!    too; the pieces of a net that have a largest size, on what trims add to them. A panel for
 //!    which all that is as it was, to the last bit, stays as it is.
 //! 2. A panel that does change has nearly the triangulation that it had. The price of that, mended
 //!    where necessary, bounds the price of the new one, so that the table is filled below it at
@@ -26,11 +26,13 @@ mod advice;
 
 use super::cleaned::{Cleaned, LastCleaned};
 use super::cut_list::wanted;
+use super::facets::{net_options, say_too_large};
 use super::unrestricted::Known;
 use super::{How, finish, is_screened, join_meshes, settle};
 use super::{Judging, Made, MakeCause, MakeError, Maker, Part};
 use crate::design::{Bends, Design, DesignCurve, DesignPanel, PanelShape, Thick, used};
 use crate::material::Material;
+use crate::nets::NetOptions;
 use crate::sample::Counts;
 use advice::Advice;
 use sheetwright_geometry::curve::CurvePoint;
@@ -134,6 +136,8 @@ struct Inputs {
     thick: Option<Thick>,
     /// How its bends are marked.
     bends: Bends,
+    /// The limits of its net, if it is a mesh.
+    net: Option<NetOptions>,
 }
 
 impl Inputs {
@@ -151,7 +155,11 @@ impl Inputs {
         let divisions = curves.iter().map(given).collect();
         let mesh = maker.meshes[number].clone();
         let (material, bends) = (design.material.clone(), design.bends_of(panel));
-        Self { panels, curves, divisions, mesh, material, thick: design.thick(), bends }
+        let net = match &panel.shape {
+            PanelShape::Mesh(settings) => Some(net_options(design, settings)),
+            _ => None,
+        };
+        Self { panels, curves, divisions, mesh, material, thick: design.thick(), bends, net }
     }
 
     /// Whether both are alike to the last bit: 0 and −0 are not.
@@ -168,6 +176,7 @@ impl Inputs {
             && self.material == other.material
             && self.thick == other.thick
             && self.bends == other.bends
+            && self.net == other.net
     }
 }
 
@@ -359,7 +368,9 @@ impl Live {
         if !changed.is_empty() {
             self.to_advise = None;
             let made = self.panels.iter_mut().filter_map(|panel| panel.made.as_mut().ok());
-            join_meshes(&mut made.flatten().collect::<Vec<_>>());
+            let mut made: Vec<&mut Part> = made.flatten().collect();
+            join_meshes(&mut made);
+            say_too_large(made.into_iter(), design);
         }
         changed
     }

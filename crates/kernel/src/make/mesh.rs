@@ -28,6 +28,7 @@ use crate::mesh::{
     Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, cut_of_part, separated,
     sides_along,
 };
+use crate::nets::NetOptions;
 use crate::pattern::Piece;
 use crate::sheet::{Seam, Sheet, cut_along, split_at};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -60,10 +61,25 @@ pub(super) fn make_mesh(
     judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
+    let mut parts = laid_parts(design, panel, settings, cleaned, judging, watch)?;
+    facets::say_no_effect(&mut parts, settings);
+    Ok(parts)
+}
+
+/// The parts of a panel that is a mesh, as a net, a surface or both.
+fn laid_parts(
+    design: &Design,
+    panel: &DesignPanel,
+    settings: &PanelMesh,
+    cleaned: &Cleaned,
+    judging: Judging,
+    watch: &mut dyn Watch,
+) -> Result<Vec<Part>, MakeError> {
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
     let whole = Whole::of(cleaned, settings, watch).map_err(failed)?;
+    let options = facets::net_options(design, settings);
     if settings.facets == Some(true) {
-        let pieces = whole.net(cleaned, settings, &[], watch).map_err(failed)?;
+        let pieces = whole.net(cleaned, &options, &[], watch).map_err(failed)?;
         return make_parts(design, panel, settings, pieces, judging, watch);
     }
     let divided = whole.divided(settings).map_err(failed)?;
@@ -74,7 +90,8 @@ pub(super) fn make_mesh(
     let bodies = facets::Bodies { mesh: &whole.mesh, plates: &whole.plates, of_parts: &body_of };
     match facets::folding(settings, design.material.as_ref(), &bodies, &smooth) {
         Some(Folding::Meant(laid)) if !watch.stop() => {
-            let pieces = whole.folded(cleaned, settings, &laid, watch).map_err(failed)?;
+            let ways = (&laid[..], &options);
+            let pieces = whole.folded(cleaned, settings, ways, watch).map_err(failed)?;
             make_parts(design, panel, settings, pieces, judging, watch)
         }
         Some(Folding::Offered(coarse)) => {
@@ -198,11 +215,11 @@ impl Whole {
     fn net(
         &self,
         cleaned: &Cleaned,
-        settings: &PanelMesh,
+        options: &NetOptions,
         meant: &[Option<FacetsMeant>],
         watch: &mut dyn Watch,
     ) -> Result<Vec<MeshPiece>, MakeCause> {
-        let net = facets::divided(&self.mesh, &self.seams, settings, meant, watch)?;
+        let net = facets::divided(&self.mesh, &self.seams, options, meant, watch)?;
         pieces_of(cleaned, self, Some(net))
     }
 
@@ -212,7 +229,7 @@ impl Whole {
         &self,
         cleaned: &Cleaned,
         settings: &PanelMesh,
-        laid: &[BodyWay],
+        (laid, options): (&[BodyWay], &NetOptions),
         watch: &mut dyn Watch,
     ) -> Result<Vec<MeshPiece>, MakeCause> {
         let reasons = laid.iter().filter_map(|laid| match laid {
@@ -221,10 +238,10 @@ impl Whole {
         });
         let reasons: Vec<Option<FacetsMeant>> = reasons.collect();
         if reasons.len() == laid.len() {
-            return self.net(cleaned, settings, &reasons, watch);
+            return self.net(cleaned, options, &reasons, watch);
         }
         let folds = |n: &usize| laid[*n] != BodyWay::Smooth;
-        let mut pieces = self.of_bodies(folds)?.net(cleaned, settings, &reasons, watch)?;
+        let mut pieces = self.of_bodies(folds)?.net(cleaned, options, &reasons, watch)?;
         let smooth = self.of_bodies(|n| !folds(n))?;
         let divided = smooth.divided(settings)?.map(|sheet| (sheet, Vec::new()));
         let joints = pieces.iter().flat_map(|piece| &piece.joints).map(|joint| joint.number + 1);

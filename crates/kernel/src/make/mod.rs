@@ -57,6 +57,7 @@ use crate::sample::{Matched, Sampler, counted, matched};
 use cleaned::{Cleaned, cleaned};
 use divided::divide_parts;
 use division::may_help;
+use facets::say_too_large;
 use found::make_found;
 use joined::{find_mates, join_meshes};
 use judged::{is_screened, judge};
@@ -195,6 +196,7 @@ fn finish(
     find_mates(parts);
     let trims = [&design.trims[..], &of_joints].concat();
     trim_parts(parts, &trims)?;
+    say_too_large(parts.iter_mut(), design);
     mark_parts(parts, &design.marks, is_bare)?;
     Ok(divided)
 }

@@ -9,7 +9,7 @@ use crate::fair::{self, Shift};
 use crate::flatten::{Aim, Ended, Flattened};
 use crate::measure::Measures;
 use crate::mesh::Mesh;
-use crate::pattern::Piece;
+use crate::pattern::{Piece, seam_mark};
 use crate::sample::Chords;
 use crate::sheet::Sheet;
 use crate::surface::Surface;
@@ -190,6 +190,24 @@ impl Part {
         let found = self.found().filter(|_| !matches!(edge.source, EdgeSource::Cut { .. }))?;
         let from = edge.run.split_last().map_or(&[][..], |(_, from)| from);
         found.chords.shorter_mm(from.iter().map(|&v| self.sheet.sample(VertexIndex::new(v)).get()))
+    }
+
+    /// The marks by which its pattern shows an edge, `S1` for a side of a cut, or `J1` where a mesh
+    /// was divided, on the sides `with` a part if one is given; none of an edge that has a name
+    /// there.
+    pub fn edge_marks(&self, edge: &Edge, with: Option<usize>) -> Vec<String> {
+        if let EdgeSource::Cut { number, .. } = edge.source {
+            return vec![seam_mark(self.sheet.first_seam() + number)];
+        }
+        let joints = self.given().map_or(&[][..], |given| &given.joints);
+        let mut steps: Vec<[usize; 2]> =
+            edge.run.windows(2).map(|step| [step[0], step[1]]).collect();
+        steps.sort_unstable();
+        let is_along =
+            |step: &[VertexIndex; 2]| steps.binary_search(&step.map(VertexIndex::get)).is_ok();
+        let of_edge = joints.iter().filter(|joint| with.is_none_or(|with| joint.with == with));
+        let marks = of_edge.filter(|joint| joint.steps.iter().any(is_along));
+        marks.map(|joint| joint.mark.clone()).collect()
     }
 
     /// How its boundary was moved, if it has one that was to be.

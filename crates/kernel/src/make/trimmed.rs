@@ -4,6 +4,7 @@ use super::error::{MakeCause, MakeError};
 use super::part::Part;
 use crate::check::{Finding, FindingKind, Place};
 use crate::design::Trim;
+use crate::edge::Edge;
 use crate::trim::{TrimNote, TrimPart, Trimmed, trimmed};
 use sheetwright_geometry::math::Point3;
 
@@ -24,8 +25,10 @@ pub(super) fn trim_parts(parts: &mut [Part], trims: &[Trim]) -> Result<(), MakeE
         return Ok(());
     }
     let drawn: Vec<Vec<Point3>> = parts.iter().map(Part::drawn).collect();
+    let shown: Vec<Vec<String>> = parts.iter().map(shown).collect();
+    let seen = parts.iter().zip(&drawn).zip(&shown);
     let seen: Vec<TrimPart<'_>> =
-        parts.iter().zip(&drawn).map(|(part, drawn)| seen(part, drawn)).collect();
+        seen.map(|((part, drawn), shown)| seen_part(part, drawn, shown)).collect();
     let made = trimmed(&seen, trims).map_err(|(part, fault)| match part {
         Some(part) => MakeError::of_panel(&parts[part].panel, MakeCause::Trim(fault)),
         None => MakeError::of_design(MakeCause::Trim(fault)),
@@ -44,11 +47,21 @@ pub(super) fn trim_parts(parts: &mut [Part], trims: &[Trim]) -> Result<(), MakeE
     Ok(())
 }
 
-fn seen<'a>(part: &'a Part, drawn: &'a [Point3]) -> TrimPart<'a> {
+/// How the pattern of a part shows its edges: by their marks, or by their names.
+fn shown(part: &Part) -> Vec<String> {
+    let shown = |edge: &Edge| match &part.edge_marks(edge, None)[..] {
+        [] => edge.name.clone(),
+        marks => marks.join(", "),
+    };
+    part.edges.iter().map(shown).collect()
+}
+
+fn seen_part<'a>(part: &'a Part, drawn: &'a [Point3], shown: &'a [String]) -> TrimPart<'a> {
     TrimPart {
         name: &part.name,
         panel: &part.panel,
         edges: &part.edges,
+        shown,
         space: drawn,
         flat: &part.flat.points,
         triangles: part.sheet.mesh().triangles(),

@@ -1,10 +1,11 @@
 //! Pieces of a net, and how two of them become one.
 
+use super::beyond::Room;
 use super::facets::{Facets, Hinge};
 use super::mirror::Mirror;
 use super::order::seam_cost;
 use super::overlap::{APART, Side, is_inside, meet, reaches_into};
-use crate::flatten::{Motion, fits_in};
+use crate::flatten::Motion;
 use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::math::Point2;
 use sheetwright_geometry::watch::Watch;
@@ -27,7 +28,8 @@ const FACET_WORK: usize = 20;
 #[derive(Clone, Debug)]
 pub(super) struct Pieces<'a> {
     pub(super) facets: &'a Facets,
-    within_mm: Option<[f64; 2]>,
+    /// The room that each has, if there is a limit.
+    room: Option<&'a Room>,
     /// The mirror that they are symmetric to, if they are to be.
     pub(super) mirror: Option<&'a Mirror>,
     /// The piece of each facet.
@@ -89,7 +91,7 @@ impl<'a> Pieces<'a> {
     /// Every facet by itself.
     pub(super) fn new(
         facets: &'a Facets,
-        within_mm: Option<[f64; 2]>,
+        room: Option<&'a Room>,
         mirror: Option<&'a Mirror>,
     ) -> Self {
         let laid = facets.list.iter().enumerate().map(|(n, facet)| {
@@ -99,7 +101,7 @@ impl<'a> Pieces<'a> {
         let count = facets.list.len();
         Self {
             facets,
-            within_mm,
+            room,
             mirror,
             of_facet: (0..count).collect(),
             members: (0..count).map(|n| vec![n]).collect(),
@@ -183,7 +185,7 @@ impl<'a> Pieces<'a> {
         let mut moved: Vec<Laid> = members.iter().map(|&f| self.laid[f].moved(&motion)).collect();
         let closed = self.closed(&members, &moved, big);
         self.glue(&mut moved, &closed);
-        if self.exceeds(&moved, big) || self.overlaps(&members, &moved, big) {
+        if self.exceeds(&members, &moved, big, &closed) || self.overlaps(&members, &moved, big) {
             return false;
         }
         closed.iter().for_each(|&(n, _)| self.folded[n] = true);
@@ -280,12 +282,26 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Whether a piece is too large once some facets are added.
-    fn exceeds(&self, moved: &[Laid], big: usize) -> bool {
-        let Some(within) = self.within_mm else { return false };
-        let of_big = self.members[big].iter().map(|&f| &self.laid[f]);
-        let points = of_big.chain(moved).flat_map(|laid| laid.points.iter().copied());
-        !fits_in(&points.collect::<Vec<_>>(), within)
+    /// Whether a piece is too large once some facets are added and hinges folded.
+    fn exceeds(
+        &self,
+        members: &[usize],
+        moved: &[Laid],
+        big: usize,
+        closed: &[(usize, usize)],
+    ) -> bool {
+        let Some(room) = self.room else { return false };
+        let of_big = self.members[big].iter().map(|&f| (f, &self.laid[f]));
+        let laid: Vec<(usize, &Laid)> = of_big.chain(members.iter().copied().zip(moved)).collect();
+        let points = laid.iter().flat_map(|(_, laid)| laid.points.iter().copied());
+        let is_folded = |n: usize| self.folded[n] || closed.iter().any(|&(other, _)| other == n);
+        let beyond = || {
+            let of_facet = |&(f, laid): &(usize, &Laid)| {
+                room.beyond(f, &laid.points, is_folded).collect::<Vec<_>>()
+            };
+            laid.iter().flat_map(of_facet).collect()
+        };
+        !room.holds(&points.collect::<Vec<_>>(), beyond)
     }
 
     /// Whether any of some moved facets overlaps one of a piece.

@@ -33,6 +33,7 @@
 //! A hinge whose two sides come to lie on one another, as round a vertex that is flat, is folded as
 //! well: the cut there would be none.
 
+mod beyond;
 mod facets;
 mod grow;
 mod meant;
@@ -43,10 +44,12 @@ mod overlap;
 mod planes;
 mod rounding;
 
+pub use beyond::{Beyond, Strip, StripEnds};
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
 
 use crate::mesh::{Cut, Mesh, cut_of_part};
 use crate::sheet::Sheet;
+use beyond::Room;
 use facets::Facets;
 use grow::Pieces;
 use mirror::{Mirror, mirrors};
@@ -59,6 +62,8 @@ pub struct NetOptions {
     /// The width and height, mm, of a rectangle that no piece exceeds; a facet that is larger by
     /// itself is a piece of its own. Default: no limit.
     pub within_mm: Option<[f64; 2]>,
+    /// What will stand beyond the border of pieces, which counts for that. Default: nothing.
+    pub beyond: Beyond,
 }
 
 /// A net: how a mesh of facets is cut.
@@ -137,12 +142,12 @@ pub fn net(mesh: &Mesh, seams: &Cut, options: &NetOptions, watch: &mut dyn Watch
 fn best<'a>(
     facets: &'a Facets,
     mirrors: &'a [Mirror],
-    options: &NetOptions,
+    room: Option<&'a Room>,
     mut left: Left,
     watch: &mut dyn Watch,
 ) -> Option<Pieces<'a>> {
     let orders = order::orders(facets);
-    let each = |mirror| Pieces::new(facets, options.within_mm, mirror);
+    let each = |mirror| Pieces::new(facets, room, mirror);
     let pieces = grown(&each(None), orders.iter().cloned(), &mut left.growing, watch)?;
     let pieces = mend::mended(pieces, mend::components(facets), &mut left.mending, watch)?;
     let mut best = mend::tidied(pieces, &mut left.tidying, watch)?;
@@ -210,7 +215,8 @@ impl Net {
         let facets = Facets::of(body, seams);
         let mirrors = mirrors(&facets);
         let left = Left::of_share(triangles.len() as f64 / self.of_triangle.len() as f64);
-        let pieces = best(&facets, &mirrors, options, left, watch)?;
+        let room = options.within_mm.map(|within| Room::new(&facets, within, &options.beyond));
+        let pieces = best(&facets, &mirrors, room.as_ref(), left, watch)?;
         for (n, hinge) in facets.hinges.iter().enumerate().filter(|&(n, _)| !pieces.folded[n]) {
             let [a, b] = facets.hinges[n].facets.map(|f| pieces.of_facet[f]);
             let line = hinge.line.iter().map(|&v| of_mesh(v)).collect();

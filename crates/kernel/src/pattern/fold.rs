@@ -1,7 +1,7 @@
 //! The folds of a net: mountains and valleys, with their angles.
 
 use super::wish::{FROM_MIDDLE, Instead, Wish, WishAt};
-use super::{LabelKind, PathKind, PatternPath, Role};
+use super::{LabelKind, PathKind, PatternPath, Piece, Role};
 use crate::bend::BendLine;
 use sheetwright_geometry::math::to_deg;
 
@@ -18,7 +18,8 @@ pub(super) fn path(fold: &BendLine) -> PatternPath {
     }
 }
 
-/// The angle of a fold beside its middle; `None` of one that a hand can't fold so finely.
+/// The angle of a fold along it, in a facet that it folds: beside another line it would be taken
+/// for the angle of that. `None` of a fold that a hand can't fold so finely.
 pub(super) fn wish(fold: &BendLine) -> Option<Wish> {
     let angle_deg = to_deg(fold.angle.abs());
     let (line, shares) = (fold.ends.to_vec(), FROM_MIDDLE);
@@ -27,7 +28,17 @@ pub(super) fn wish(fold: &BendLine) -> Option<Wish> {
         role: Role::Note,
         texts: vec![format!("{angle_deg:.0}°")],
         height_mm: None,
-        at: vec![WishAt::Beside { line, shares, is_left: false, away_mm: 0.0 }],
+        at: vec![WishAt::Along { line, shares }],
         instead: Instead::Nothing,
     })
+}
+
+impl Piece {
+    /// How many folds of a net have no angle, since there is no room for it along them, and how
+    /// many would have one.
+    pub fn folds_without_angle(&self) -> (usize, usize) {
+        let written = self.labels.iter().filter(|label| label.kind == LabelKind::Angle).count();
+        let wanted = self.bends.iter().filter(|fold| wish(fold).is_some()).count();
+        (wanted.saturating_sub(written), wanted)
+    }
 }

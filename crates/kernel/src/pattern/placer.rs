@@ -35,13 +35,29 @@ const ANCHORS: usize = 16;
 const LEADERS: u16 = 32;
 /// A leader is longer than the last one that was tried by this factor.
 const LONGER: f64 = 1.25;
+/// A leader begins this share of its length away from its foot where lines are looked for that it
+/// crosses.
+const CLEAR_OF_FOOT: f64 = 0.02;
 /// Leaders that are tried in each direction.
 const LONGEST: usize = 48;
+/// Likewise of short ones: the longest is about ten times as long as letters are high.
+const LONGEST_SHORT: usize = 10;
 
 /// The standard height at or below this one, mm.
 pub(super) fn standard_mm(height_mm: f64) -> f64 {
     let lower = HEIGHTS_MM.into_iter().find(|&standard| standard <= height_mm);
     lower.unwrap_or(HEIGHTS_MM[HEIGHTS_MM.len() - 1])
+}
+
+/// The line that leads to a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Leader {
+    /// As short as can be.
+    Any,
+    /// Likewise, and so short that an eye follows it among many.
+    Short,
+    /// Likewise, and across no line of the piece.
+    Plain,
 }
 
 /// What crosses a text.
@@ -103,6 +119,36 @@ impl Placer {
         self.room.holds(text.middle)
             && !self.boxes.iter().any(|other| other.overlaps(&letters))
             && self.lines.crossed(&letters) <= Crossed::Notes
+    }
+
+    /// Whether a text that has its place beyond an edge crosses nothing at all.
+    pub(super) fn is_free_beyond(&self, label: &PatternLabel) -> bool {
+        let text = TextBox::of(label);
+        self.is_clear_beside(&text.without_tails(label.height_mm))
+    }
+
+    /// Whether a text stands beside the piece, with nothing in its way.
+    fn is_clear_beside(&self, text: &TextBox) -> bool {
+        !self.room.holds(text.middle)
+            && self.lines.crossed(text) <= Crossed::Notes
+            && !self.boxes.iter().any(|other| other.overlaps(text))
+    }
+
+    /// A mark of an edge as near as can be beside the piece, with a line that leads there from its
+    /// foot on the edge, across no other if there is such a place; `None` where none is near.
+    pub(super) fn led(&mut self, label: &PatternLabel, foot: Point2) -> Option<PatternLabel> {
+        let (letters, height_mm) = (label.text.chars().count(), label.height_mm);
+        let anchors = [(foot, -label.along.perp())];
+        let place = |leader| self.beside(&anchors, letters, height_mm, false, leader);
+        let (at, along, leader) = place(Leader::Plain).or_else(|| place(Leader::Short))?;
+        self.add_leader(leader);
+        Some(PatternLabel { role: Role::Note, at, along, ..label.clone() })
+    }
+
+    fn add_leader(&mut self, leader: [Point2; 2]) {
+        self.lines.add(leader, Crossed::Marks);
+        let (role, kind, points) = (Role::Note, PathKind::Leader, leader.to_vec());
+        self.leaders.push(PatternPath { role, kind, points, closed: false });
     }
 
     /// Keeps other texts clear of one that has its place.
@@ -186,21 +232,10 @@ impl Placer {
                 found
             }
             WishAt::Beside { line, shares, is_left, away_mm } => {
-                let mut found = Vec::new();
-                for farther in [0.0, 1.5 * height_mm] {
-                    for (at, way) in shares.iter().filter_map(|&share| along(line, share)) {
-                        let along = upright(way);
-                        let away_mm = away_mm + farther;
-                        for side in if *is_left { &[1.0][..] } else { &[1.0, -1.0] } {
-                            let way = way.perp() * *side;
-                            // Feet or heads towards the line.
-                            let feet = if along.perp().dot(way) > 0.0 { 0.6 } else { 1.4 };
-                            found.push((at + way * (away_mm + feet * height_mm), along));
-                        }
-                    }
-                }
-                found
+                let farther = [0.0, 1.5 * height_mm].map(|farther| away_mm + farther);
+                beside(line, shares, *is_left, &farther, height_mm)
             }
+            WishAt::Along { line, shares } => beside(line, shares, false, &[0.0], height_mm),
         }
     }
 
@@ -214,15 +249,14 @@ impl Placer {
         let Box2 { min, max } = self.room.around();
         let is_large = min.distance(max) > LARGE * letters as f64 * height_mm;
         let anchors = self.anchors(wish);
-        let rays = || self.beside(&anchors, letters, height_mm, false);
-        let level = is_large.then(|| self.beside(&anchors, letters, height_mm, true)).flatten();
+        let rays = || self.beside(&anchors, letters, height_mm, false, Leader::Any);
+        let level = || self.beside(&anchors, letters, height_mm, true, Leader::Any);
+        let level = is_large.then(level).flatten();
         let Some((at, along, leader)) = level.or_else(rays) else { return };
         let label = label(wish, Role::Note, at, along, height_mm, text);
-        self.lines.add(leader, Crossed::Marks);
         self.boxes.push(TextBox::of(&label));
         self.labels.push(label);
-        let (role, kind, points) = (Role::Note, PathKind::Leader, leader.to_vec());
-        self.leaders.push(PatternPath { role, kind, points, closed: false });
+        self.add_leader(leader);
     }
 
     /// The nearest place beside the piece for a text, level or like a ray: the middle of its base
@@ -233,10 +267,13 @@ impl Placer {
         letters: usize,
         height_mm: f64,
         is_level: bool,
+        leader: Leader,
     ) -> Option<(Point2, Vec2, [Point2; 2])> {
         let half_mm = 0.5 * letters as f64 * height_mm;
         let mut away_mm = 1.5 * height_mm;
-        for _ in 0..LONGEST {
+        let is_plain = leader == Leader::Plain;
+        let longest = if leader == Leader::Any { LONGEST } else { LONGEST_SHORT };
+        for _ in 0..longest {
             for n in 0..LEADERS {
                 // By turns to both sides.
                 let turn = from_deg(360.0 * f64::from(n.div_ceil(2)) / f64::from(LEADERS));
@@ -251,7 +288,8 @@ impl Placer {
                     let at = TextBox::base(middle, along, height_mm);
                     let text = TextBox::new(letters, at, along, height_mm);
                     let leader = [anchor, text.nearest(anchor)];
-                    if self.is_beside(&text.grown(AROUND * height_mm), leader) {
+                    let is_crossed = || is_plain && self.crosses(leader);
+                    if self.is_beside(&text.grown(AROUND * height_mm), leader) && !is_crossed() {
                         return Some((at, along, leader));
                     }
                 }
@@ -271,6 +309,10 @@ impl Placer {
                 self.places.iter().take(ANCHORS).map(|spot| outwards(spot.at)).collect()
             }
             WishAt::Near(at) => vec![outwards(*at)],
+            WishAt::Along { line, shares } => {
+                let places = shares.iter().filter_map(|&share| along(line, share));
+                places.map(|(at, _)| outwards(at)).collect()
+            }
             WishAt::Beside { line, shares, is_left, .. } => {
                 let places = shares.iter().filter_map(|&share| along(line, share));
                 let anchor = |(at, way): (Point2, Vec2)| match is_left {
@@ -285,9 +327,15 @@ impl Placer {
     /// Whether a text stands beside the piece, with nothing in its way, and its leader passes no
     /// other text.
     fn is_beside(&self, text: &TextBox, leader: [Point2; 2]) -> bool {
-        !self.room.holds(text.middle)
-            && self.lines.crossed(text) <= Crossed::Notes
-            && !self.boxes.iter().any(|other| other.overlaps(text) || other.meets(leader))
+        self.is_clear_beside(text) && !self.boxes.iter().any(|other| other.meets(leader))
+    }
+
+    /// Whether a leader crosses a line of the piece, beside that on which it begins.
+    fn crosses(&self, [from, to]: [Point2; 2]) -> bool {
+        let from = from.lerp(to, CLEAR_OF_FOOT);
+        let (along, half_mm) = (unit2(to - from).unwrap_or(Vec2::X), 0.5 * from.distance(to));
+        let (middle, half) = (from.lerp(to, 0.5), Vec2::new(half_mm, 0.0));
+        self.lines.crossed(&TextBox { middle, along, half }) > Crossed::Notes
     }
 }
 
@@ -306,6 +354,29 @@ fn level_first<'a>(
     }
     level.extend(turned);
     level
+}
+
+/// Texts beside a line, so far away from it, mm, or a little farther.
+fn beside(
+    line: &[Point2],
+    shares: &[f64],
+    is_left: bool,
+    away_mm: &[f64],
+    height_mm: f64,
+) -> Vec<(Point2, Vec2)> {
+    let mut found = Vec::new();
+    for away_mm in away_mm {
+        for (at, way) in shares.iter().filter_map(|&share| along(line, share)) {
+            let along = upright(way);
+            for side in if is_left { &[1.0][..] } else { &[1.0, -1.0] } {
+                let way = way.perp() * *side;
+                // Feet or heads towards the line.
+                let feet = if along.perp().dot(way) > 0.0 { 0.6 } else { 1.4 };
+                found.push((at + way * (away_mm + feet * height_mm), along));
+            }
+        }
+    }
+    found
 }
 
 fn label(

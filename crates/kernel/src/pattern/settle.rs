@@ -4,12 +4,14 @@
 //!
 //! They have their places before all other texts, which keep clear of them. A text goes by steps of
 //! half its height, ahead and back by turns, along the line that its tick stands on, and no farther
-//! than where its own tick is the nearest. Where no such place is free, it stays beside its tick.
+//! than where its own tick is the nearest, nor round a corner. Where no such place is free, a mark
+//! stands beyond the edge, and is read before that is cut; where that is not free either, a line
+//! leads from the tick to it. A number stays beside its tick, and so does a mark without any place.
 
 use super::placer::Placer;
 use super::seam::beside;
 use super::text_box::TextBox;
-use super::{LabelKind, PathKind, PatternLabel, PatternPath};
+use super::{LabelKind, PathKind, PatternLabel, PatternPath, Role};
 use sheetwright_geometry::math::{Point2, Vec2, unit2};
 
 /// A step along the edge, as a share of the height of the text.
@@ -18,6 +20,11 @@ const STEP: f64 = 0.5;
 const MOST_FEET: usize = 2_000;
 /// So many steps are tried ahead, and as many back.
 const STEPS: u16 = 24;
+/// The cosine of the turn that ends an edge for its texts, 30°.
+const TURNS: f64 = 0.866;
+/// The base line of a mark beyond an edge lies so far from it, as a share of the text's height: the
+/// gap that letters have inside, and letters with dots.
+const BEYOND: f64 = 0.4 + 7.0 / 6.0;
 
 /// Whether a text has its place here.
 pub(super) fn is_settled(kind: LabelKind) -> bool {
@@ -44,6 +51,7 @@ pub(super) fn settle(
             LabelKind::Mark => seams.next().map(|[foot, inside]| {
                 // It may have moved when the piece had other lines.
                 (label.at, label.along) = beside(&label.text, label.height_mm, foot, inside);
+                label.role = Role::Engrave;
                 foot
             }),
             _ if !is_roomy => None,
@@ -54,7 +62,13 @@ pub(super) fn settle(
         };
         // A text without a tick, such as the angle of a flange, is that of a whole line.
         if let Some(foot) = foot.filter(|_| is_roomy) {
-            *label = free(label, foot, net, &feet, placer);
+            let is_mark = label.kind == LabelKind::Mark;
+            let place = free(label, foot, net, &feet, placer)
+                .or_else(|| is_mark.then(|| beyond(label, foot, net, &feet, placer)).flatten())
+                .or_else(|| is_mark.then(|| placer.led(label, foot)).flatten());
+            if let Some(place) = place {
+                *label = place;
+            }
         }
         placer.keep(label);
     }
@@ -83,31 +97,58 @@ fn numbered_tick(label: &PatternLabel, at: Point2, paths: &[PatternPath]) -> Opt
     feet.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)))
 }
 
-/// The text at the first free place, or as it is.
+/// The text at the first free place inside its edge, if there is one.
 fn free(
     label: &PatternLabel,
     foot: Point2,
     net: &[&[Point2]],
     feet: &[Point2],
     placer: &Placer,
-) -> PatternLabel {
+) -> Option<PatternLabel> {
     let off = label.at - foot;
     let [ahead_mm, up_mm] = [off.dot(label.along), off.dot(label.along.perp())];
-    let is_free = |label: &PatternLabel| {
-        let middle = TextBox::of(label).middle;
-        let off_mm = foot.distance(middle);
-        placer.is_free(label) && feet.iter().all(|other| other.distance(middle) >= off_mm)
-    };
+    let is_free = |label: &PatternLabel| placer.is_free(label) && is_of(label, foot, feet);
     if is_free(label) {
-        return label.clone();
+        return Some(label.clone());
     }
-    let Some(edge) = Loop::nearest(net, foot) else { return label.clone() };
+    places(label, [ahead_mm, up_mm], foot, net).find(is_free)
+}
+
+/// A mark at the first free place beyond its edge, to read, if there is one.
+fn beyond(
+    label: &PatternLabel,
+    foot: Point2,
+    net: &[&[Point2]],
+    feet: &[Point2],
+    placer: &Placer,
+) -> Option<PatternLabel> {
+    let label = PatternLabel { role: Role::Note, ..label.clone() };
+    let is_free = |label: &PatternLabel| placer.is_free_beyond(label) && is_of(label, foot, feet);
+    places(&label, [0.0, -BEYOND * label.height_mm], foot, net).find(is_free)
+}
+
+/// Whether the tick of a text is the nearest to it.
+fn is_of(label: &PatternLabel, foot: Point2, feet: &[Point2]) -> bool {
+    let middle = TextBox::of(label).middle;
+    let off_mm = foot.distance(middle);
+    feet.iter().all(|other| other.distance(middle) >= off_mm)
+}
+
+/// A text beside an edge, so far ahead of its tick and above the edge at first, mm, then by steps
+/// ahead and back, as far as the edge does not turn.
+fn places(
+    label: &PatternLabel,
+    [ahead_mm, up_mm]: [f64; 2],
+    foot: Point2,
+    net: &[&[Point2]],
+) -> impl Iterator<Item = PatternLabel> {
+    let edge = Loop::nearest(net, foot);
     let steps = (1..=STEPS).flat_map(|n| [f64::from(n), -f64::from(n)]);
-    let mut moved = steps.filter_map(|n| {
-        let (at, along) = edge.at(ahead_mm + n * STEP * label.height_mm)?;
-        Some(PatternLabel { at: at + along.perp() * up_mm, along, ..label.clone() })
-    });
-    moved.find(|label| is_free(label)).unwrap_or_else(|| label.clone())
+    std::iter::once(0.0).chain(steps).filter_map(move |n| {
+        let (at, along) = edge.as_ref()?.at(ahead_mm + n * STEP * label.height_mm)?;
+        let is_on = along.dot(label.along) >= TURNS;
+        is_on.then(|| PatternLabel { at: at + along.perp() * up_mm, along, ..label.clone() })
+    })
 }
 
 /// A loop of the net, and a place on it.

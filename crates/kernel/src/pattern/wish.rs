@@ -30,6 +30,8 @@ pub(super) enum WishAt {
     /// Beside a line at some shares of its length, the best first: on its left side alone, as
     /// inside an edge, or on both.
     Beside { line: Vec<Point2>, shares: &'static [f64], is_left: bool, away_mm: f64 },
+    /// Along a line, so near that nothing passes between, at some shares of its length.
+    Along { line: Vec<Point2>, shares: &'static [f64] },
 }
 
 /// What becomes of a text that has no room.

@@ -11,16 +11,15 @@ const CRUMB_MM2: f64 = 1e-3;
 /// The net may leave the cut region by this, mm: the rounding of the corners of the cut line.
 const PROVED_MM: f64 = 1e-6;
 
-/// What is to be said about the trims of a part.
+/// What is to be said about the trims of a part. Edges are called as its pattern shows them, by
+/// `PART/MARK` or `PART/EDGE`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TrimNote {
-    /// Tabs cover less than half of a joint, since there is no room on either side.
+    /// Tabs cover less than half of some joints, since there is no room on either side.
     NoRoomForTabs {
-        /// One edge.
-        edge: String,
-        /// The other edge.
-        mate: String,
-        /// The share of the length that has tabs of the full width.
+        /// Both edges of each joint; at a seam of one part, both have one mark.
+        joints: Vec<[String; 2]>,
+        /// The least share of the length of one that has tabs of the full width.
         covered: f64,
     },
     /// Some holes would reach over the edge or into one another, and were left out.
@@ -89,6 +88,18 @@ pub(super) struct Making {
 }
 
 impl Making {
+    /// Notes a joint, tabs of which cover this share alone, with others that there are.
+    pub(super) fn note_no_room(&mut self, joint: [String; 2], share: f64) {
+        for note in &mut self.notes {
+            if let TrimNote::NoRoomForTabs { joints, covered } = note {
+                joints.push(joint);
+                *covered = covered.min(share);
+                return;
+            }
+        }
+        self.notes.push(TrimNote::NoRoomForTabs { joints: vec![joint], covered: share });
+    }
+
     /// The cut line around these net lines.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ use sheetwright_geometry::math::Point2;
 
 /// The middle of a knob lies as far beyond the net line as this share of its radius, so that its
 /// neck is three fifths as wide as it is.
-const KNOB: f64 = 0.8;
+pub(super) const KNOB: f64 = 0.8;
 /// A knob has as many sides.
 const SIDES: u16 = 48;
 

@@ -26,6 +26,7 @@ mod notches;
 mod paired;
 mod part;
 mod places;
+mod reach;
 mod stretch;
 mod tabs;
 
@@ -38,6 +39,7 @@ pub use fault::TrimFault;
 pub(crate) use cut::Trimmed;
 pub(crate) use holes::drilled;
 pub(crate) use part::TrimPart;
+pub(crate) use reach::beyond;
 
 use crate::design::{Flange, Trim, TrimKind};
 use crate::edge::EdgePlace;
@@ -184,12 +186,12 @@ impl<'a> Work<'a> {
             let made = &mut self.made[part];
             made.added.extend(strips.added);
             made.removed.extend(strips.removed);
-            for (number, edge) in of_part.edges.iter().enumerate() {
+            for number in 0..of_part.edges.len() {
                 let stretch = &self.stretches[part][number];
                 let rims = self.margins[part][number].iter().filter_map(|m| rim(stretch, m));
                 let worst = rims.max_by(|a, b| a.strain().abs().total_cmp(&b.strain().abs()));
                 if let Some(Rim { flat_mm, bent_mm }) = worst.filter(Rim::is_strained) {
-                    let edge = of_part.called(edge);
+                    let edge = of_part.shown(number);
                     made.notes.push(TrimNote::FlangeStretches { edge, flat_mm, bent_mm });
                 }
             }

@@ -76,6 +76,11 @@ impl Work<'_> {
         part.called(&part.edges[place.edge])
     }
 
+    /// What the pattern shows of an edge, for notes.
+    fn shown(&self, place: EdgePlace) -> String {
+        self.parts[place.part].shown(place.edge)
+    }
+
     /// The length along each edge of a pair at a share of what they have in common.
     fn lengths_at(pair: &Pair, share: f64) -> [f64; 2] {
         [pair.shared.first, pair.shared.second].map(|[from, to]| from + share * (to - from))
@@ -191,8 +196,8 @@ impl Work<'_> {
         }
         let (place, (tabs, covered)) = best;
         if covered < 0.5 {
-            let [edge, mate] = places.map(|place| self.edge_name(place));
-            self.made[first.part].notes.push(TrimNote::NoRoomForTabs { edge, mate, covered });
+            let joint = places.map(|place| self.shown(place));
+            self.made[first.part].note_no_room(joint, covered);
         }
         let made = &mut self.made[place.part];
         for Tab { fold, polygon, mountain } in tabs {
@@ -336,7 +341,7 @@ impl Work<'_> {
             }
         }
         if left_out > 0 {
-            let edge = self.edge_name(pair.first);
+            let edge = self.shown(pair.first);
             let of = shares.len();
             self.made[pair.first.part].notes.push(TrimNote::HolesLeftOut { edge, left_out, of });
         }

@@ -16,6 +16,8 @@ pub(crate) struct TrimPart<'a> {
     pub(crate) panel: &'a str,
     /// Its edges, in the order of the loops.
     pub(crate) edges: &'a [Edge],
+    /// How its pattern shows each of them: by a mark, or by its name.
+    pub(crate) shown: &'a [String],
     /// Where the vertices of its sheet were drawn in space, mm.
     pub(crate) space: &'a [Point3],
     /// Where they lie on the pattern, mm.
@@ -25,9 +27,14 @@ pub(crate) struct TrimPart<'a> {
 }
 
 impl TrimPart<'_> {
-    /// The name of an edge, `PART/EDGE`.
+    /// The name of an edge in designs, `PART/EDGE`.
     pub(super) fn called(&self, edge: &Edge) -> String {
         format!("{}/{}", self.name, edge.name)
+    }
+
+    /// What its pattern shows of an edge, `PART/MARK` or `PART/EDGE`.
+    pub(super) fn shown(&self, number: usize) -> String {
+        format!("{}/{}", self.name, self.shown[number])
     }
 
     /// The numbers of the edges of each loop, in its order.

@@ -18,7 +18,7 @@ const WIDTHS: [f64; 5] = [1.0, 0.8, 0.6, 0.45, 0.34];
 /// The angles that are tried, as shares of the one asked for.
 const ANGLES: [f64; 3] = [1.0, 0.7, 0.45];
 /// The outer side of a tab is at least as long as this share of its inner one.
-const OUTER: f64 = 0.3;
+pub(super) const OUTER: f64 = 0.3;
 /// The sine of the angle that a joint goes in by at least for its tab to be folded towards the
 /// viewer: 1°. Less is the rounding of a joint that is flat.
 const GOES_IN: f64 = 0.0175;

@@ -17,6 +17,7 @@ use sheetwright_shapes::random::Random;
 struct Flat {
     name: String,
     edges: Vec<Edge>,
+    shown: Vec<String>,
     space: Vec<Point3>,
     flat: Vec<Point2>,
     triangles: Vec<[VertexIndex; 3]>,
@@ -36,7 +37,8 @@ impl Flat {
             }
             start += m;
         }
-        Self { name: name.to_owned(), edges, space, flat, triangles: Vec::new() }
+        let shown = edges.iter().map(|edge| edge.name.clone()).collect();
+        Self { name: name.to_owned(), edges, shown, space, flat, triangles: Vec::new() }
     }
 
     /// Where the points of an edge lie in space.
@@ -45,8 +47,8 @@ impl Flat {
     }
 
     fn seen(&self) -> TrimPart<'_> {
-        let Self { name, edges, space, flat, triangles } = self;
-        TrimPart { name, panel: name, edges, space, flat, triangles }
+        let Self { name, edges, shown, space, flat, triangles } = self;
+        TrimPart { name, panel: name, edges, shown, space, flat, triangles }
     }
 }
 
@@ -488,10 +490,11 @@ fn strip(flat: &[f64], space: &[(f64, f64)], height: f64) -> Flat {
     let edge = |(n, run): (usize, Vec<usize>)| {
         Edge::new(format!("e{n}"), EdgeSource::Border, run, &space, &points)
     };
-    let edges = runs.into_iter().enumerate().map(edge).collect();
+    let edges: Vec<Edge> = runs.into_iter().enumerate().map(edge).collect();
+    let shown = edges.iter().map(|edge| edge.name.clone()).collect();
     let cell = |n: usize| [[n, n + 1, count + n + 1], [n, count + n + 1, count + n]];
     let triangles = (0..count - 1).flat_map(cell).map(|t| t.map(VertexIndex::new)).collect();
-    Flat { name: "a".to_owned(), edges, space, flat: points, triangles }
+    Flat { name: "a".to_owned(), edges, shown, space, flat: points, triangles }
 }
 
 fn flange(width: f64) -> TrimKind {
@@ -523,7 +526,8 @@ fn a_flange_is_parted_at_the_corners_of_a_closed_edge() {
     let space: Vec<Point3> = points.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
     let edges = vec![Edge::new("e0".into(), EdgeSource::Border, run, &space, &points)];
     let triangles = Vec::new();
-    let square = Flat { name: "a".to_owned(), edges, space, flat: points, triangles };
+    let shown = vec!["e0".to_owned()];
+    let square = Flat { name: "a".to_owned(), edges, shown, space, flat: points, triangles };
     let made = trim(&[square], &[on(&["e0"], flange(25.0))]).unwrap();
     let around = Box2::of_points(cut(&made[0]).outline.iter().copied()).unwrap();
     assert!((around.max - around.min).distance(Vec2::new(150.0, 150.0)) < 1e-9);

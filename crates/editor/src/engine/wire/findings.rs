@@ -3,8 +3,8 @@
 use super::{Wire, fields, kinds, variants};
 use sheetwright::bend::Mitred;
 use sheetwright::check::{
-    Bend, BorderSide, CutWay, Division, Finding, FindingKind, Hindrance, LinePlace, Movement,
-    Place, PointReach, SeamCause, SeamPlace, TooTight,
+    Bend, BorderSide, CutWay, Division, Finding, FindingKind, Hindrance, LinePlace, MeshSetting,
+    Movement, Place, PointReach, SeamCause, SeamPlace, TooTight,
 };
 use sheetwright::divide::DivideFault;
 use sheetwright::elastic::Basis;
@@ -39,6 +39,8 @@ variants!(FindingKind {
     FoldedFacets { mountains, valleys, sharpest, stiff },
     FacetsMeant { facets, turn, overlaps },
     FacetsFew { facets },
+    NoEffect { settings, is_net },
+    PieceTooLarge { size_mm, within_mm, is_facet, is_trimmed },
     BendLines { count, sharpest },
     LengthError { largest, closes_holes },
     WindowGap { widest_mm },
@@ -83,7 +85,7 @@ variants!(FindingKind {
     FoldsMitred { count, of, why }
 });
 variants!(TrimNote {
-    NoRoomForTabs { edge, mate, covered },
+    NoRoomForTabs { joints, covered },
     HolesLeftOut { edge, left_out, of },
     FlangeStretches { edge, flat_mm, bent_mm },
     Closes { of_net, of_cut },
@@ -128,6 +130,7 @@ fields!(BorderSide { corners, samples });
 fields!(SeamPlace { number, ends });
 fields!(LinePlace { at, on_part });
 kinds!(CutWay { Across, Lengthwise });
+kinds!(MeshSetting { Aim, SplitCreases, Darts, PiecesWithin });
 kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
 kinds!(Mitred { Meets, NotFlat, Narrow, Untrue });
 kinds!(Skin { Outer, Inner });
