@@ -124,6 +124,11 @@ fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
         values.set("halves", Value::Choice("both".to_owned())).unwrap();
         let design = values.design().unwrap();
         let made = make(&design, &mut Unwatched).unwrap();
+        let half = template(name).unwrap().defaults().design().unwrap();
+        let twice = half.panels.iter().filter(|panel| (panel.count, panel.mirrored) == (2, 1));
+        let mut both = twice.map(|panel| format!("{}-starboard", panel.name));
+        assert!(both.all(|name| design.panels.iter().any(|panel| panel.name == name)), "{name}");
+        assert!(design.panels.iter().all(|panel| panel.count == 1), "{name}");
         let panel = |name: &str| made.parts.iter().find(|panel| panel.name == name);
         for (half, outwards) in [("bottom", -Vec3::Z), ("side", Vec3::Y), ("deck", Vec3::Z)] {
             let (Some(port), Some(starboard)) =

@@ -262,6 +262,8 @@ fn finished(mut sketch: Sketch, values: &Values, halves: &[&str]) -> Sketch {
     sketch.stations(&places);
     if values.choice(HALVES.name) == BOTH.name {
         sketch.mirror(halves);
+    } else {
+        sketch.cut_twice(halves);
     }
     sketch
 }

@@ -163,15 +163,14 @@ fn hull(values: &Values) -> Drawn {
     let inside = Point3::new(sheer.x, 0.0, sheer.z);
     let is_flat = has_flat_bottom(&upwards);
     let planks = plank_names(&upwards, is_flat);
-    let is_half = values.choice("halves") == PORT.name;
     for (name, pair) in planks.iter().zip(upwards.windows(2)) {
         plank(&mut sketch, name, [pair[1], pair[0]], inside);
-        if is_half {
-            sketch.both_halves();
-        }
     }
-    if !is_half {
-        sketch.mirror(&planks.iter().map(String::as_str).collect::<Vec<_>>());
+    let halves: Vec<&str> = planks.iter().map(String::as_str).collect();
+    if values.choice("halves") == BOTH.name {
+        sketch.mirror(&halves);
+    } else {
+        sketch.cut_twice(&halves);
     }
     if is_flat {
         across(&mut sketch, BOTTOM, upwards[0], inside);

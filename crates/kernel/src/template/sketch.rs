@@ -101,10 +101,10 @@ impl Sketch {
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
     }
 
-    /// Has the panel that was drawn last cut twice, once turned over: for both halves of what was
-    /// drawn to one side of the plane y = 0.
-    pub(super) fn both_halves(&mut self) {
-        if let Some(panel) = self.panels.last_mut() {
+    /// Has these panels, which were drawn to one side of the plane y = 0, cut twice, once turned
+    /// over: for both halves.
+    pub(super) fn cut_twice(&mut self, panels: &[&str]) {
+        for panel in self.panels.iter_mut().filter(|panel| panels.contains(&&panel.name[..])) {
             (panel.count, panel.mirrored) = (2, 1);
         }
     }
