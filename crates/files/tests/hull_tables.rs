@@ -24,6 +24,12 @@ fn panels(design: &Design) -> Vec<&str> {
     design.panels.iter().map(|panel| panel.name.as_str()).collect()
 }
 
+/// The names of these planks, which come in halves, and of whole panels.
+fn hull(planks: &[&str], whole: &[&str]) -> Vec<String> {
+    let halves = planks.iter().flat_map(|p| [format!("{p}-port"), format!("{p}-starboard")]);
+    halves.chain(whole.iter().map(|&name| name.to_owned())).collect()
+}
+
 fn point(design: &Design, curve: &str, n: usize) -> [f64; 3] {
     let curve = design.curves.iter().find(|one| one.name == curve).unwrap();
     let at = curve.points[n].at;
@@ -46,19 +52,17 @@ fn published_boats_become_planks() {
     let inch = 25.4;
     let near = |found: [f64; 3], inches: [f64; 3]| near(found, inches.map(|n| n * inch));
     let sharpie = table("chesapeake-bay-sharpie.csv");
-    assert_eq!(panels(&sharpie), ["bottom", "side", "transom"]);
+    assert_eq!(panels(&sharpie), hull(&["bottom", "side"], &["transom"]));
     near(point(&sharpie, "sheer", 2), [48.0, 23.0, 27.625]);
     near(point(&sharpie, "skeg", 7), [168.0, 0.5, 2.5]);
     // Heights of the car topper are measured downwards; half of them are feet,inches,eighths.
     let topper = table("car-topper.csv");
-    assert_eq!(panels(&topper), ["strake-1", "side", "bottom", "transom"]);
+    assert_eq!(panels(&topper), hull(&["strake-1", "side"], &["bottom", "transom"]));
     near(point(&topper, "Gunwale", 0), [0.0, 15.875, -7.75]);
     near(point(&topper, "Bottom", 12), [138.0, 0.125, -36.0 + 33.0]);
     let dory = table("sport-dory.csv");
-    assert_eq!(
-        panels(&dory),
-        ["strake-1", "strake-2", "strake-3", "strake-4", "side", "bottom", "transom"]
-    );
+    let planks = ["strake-1", "strake-2", "strake-3", "strake-4", "side"];
+    assert_eq!(panels(&dory), hull(&planks, &["bottom", "transom"]));
     near(point(&dory, "line1", 5), [17.5, 0.595, 1.084]);
     for design in [&sharpie, &topper, &dory] {
         let made = make(design, &mut Unwatched).unwrap();
@@ -70,8 +74,7 @@ fn published_boats_become_planks() {
 #[test]
 fn a_workbook_is_the_table_that_it_holds() {
     let text = table("skiff.csv");
-    assert_eq!(panels(&text), ["bottom", "side", "transom"]);
-    assert_eq!((text.panels[0].count, text.panels[0].mirrored), (2, 1));
+    assert_eq!(panels(&text), hull(&["bottom", "side"], &["transom"]));
     let MarkKind::Stations { at: StationPlaces::Listed { planes }, .. } = &text.marks[0].kind
     else {
         panic!("{:?}", text.marks)
@@ -95,7 +98,7 @@ fn curves_of_freeship_are_planks() {
         sheetwright_files::hull_table_notes(&bytes, name, &options)
     };
     let stations = read("freeship-stations.txt", &options);
-    assert_eq!(panels(&stations), ["bottom", "side", "transom", "transom-2"]);
+    assert_eq!(panels(&stations), hull(&["bottom", "side"], &["transom", "transom-2"]));
     near(point(&stations, "Keel", 0), [100.0, 0.0, 110.9]);
     near(point(&stations, "Chine 1", 2), [1300.0, 701.0, 140.3]);
     near(point(&stations, "Sheer", 8), [4900.0, 117.1, 840.1]);
@@ -107,10 +110,11 @@ fn curves_of_freeship_are_planks() {
     let controls = read("freeship-control-curves.txt", &options);
     let chines = read("freeship-chines.txt", &ReadOptions::default());
     for design in [&controls, &chines] {
-        assert_eq!(panels(design), ["bottom", "side"]);
-        assert_eq!(design.curves.len(), 3);
+        assert_eq!(panels(design), hull(&["bottom", "side"], &[]));
+        // Chine and sheer to starboard stand behind the lines.
+        assert_eq!(design.curves.len(), 5);
     }
-    for (a, b) in controls.curves.iter().zip(&chines.curves) {
+    for (a, b) in controls.curves.iter().zip(&chines.curves).take(3) {
         assert_eq!((&a.name, a.points.len()), (&b.name, 12));
         for (a, b) in a.points.iter().zip(&b.points) {
             let off = a.at - b.at;
@@ -149,7 +153,7 @@ fn sections_without_edges_are_curves() {
         ((0..4).map(|n| station(f64::from(n), "KNUCKLE")).collect(), station(4.0, ""));
     let design = read(&format!("{knuckled}{ends}"));
     let counts: Vec<usize> = design.curves.iter().map(|curve| curve.points.len()).collect();
-    assert_eq!(panels(&design)[..2], ["bottom", "side"]);
+    assert_eq!(panels(&design)[..4], hull(&["bottom", "side"], &[]));
     assert!(counts.contains(&4) && counts.contains(&5), "{counts:?}");
     assert!(notes(&format!("{knuckled}{ends}")).contains("station '4' has 0 corners"));
     // A curve that is drawn from the bow to the stern is an edge all the same.
@@ -186,9 +190,12 @@ fn a_slip_is_found_and_a_fair_hull_gives_no_warning() {
     let options = ReadOptions::default();
     let read = read_bytes(InputFormat::Table, slip.as_bytes(), "skiff.csv", None, &options);
     let said = unfair(&make(&read.unwrap(), &mut Unwatched).unwrap());
-    let [said] = &said[..] else { panic!("{said:?}") };
-    assert!(said.contains("'Sheer' is not fair at x = 1828.8 mm"), "{said}");
-    assert!(said.contains("522.3 mm") && said.contains("less"), "{said}");
+    // The planks of both sides say so, each of its own sheer.
+    assert_eq!(said.len(), 2, "{said:?}");
+    for (said, curve) in said.iter().zip(["Sheer", "Sheer-starboard"]) {
+        assert!(said.contains(&format!("'{curve}' is not fair at x = 1828.8 mm")), "{said}");
+        assert!(said.contains("522.3 mm") && said.contains("less"), "{said}");
+    }
 }
 
 #[test]
@@ -228,7 +235,7 @@ fn the_fishing_vessel_is_one_hull_in_every_form() {
                 Ok(design) => design,
                 Err(error) => panic!("{error} / {}\n{text}", error.hint),
             };
-            assert_eq!(panels(&design)[..3], ["bottom", "strake-1", "side"]);
+            assert_eq!(panels(&design)[..6], hull(&["bottom", "strake-1", "side"], &[]));
             for (name, points) in &lines {
                 // The table is from bow to stern, as its stations lie.
                 for (n, at) in points.iter().rev().enumerate() {
@@ -279,18 +286,18 @@ fn a_design_and_the_template_take_points_from_a_table_of_offsets() {
     let folder = root().join("corpus/offsets");
     let options = ReadOptions::default();
     let boats = [
-        ("skiff.xlsx", &["bottom", "side", "transom", "deck"][..]),
-        ("skiff.csv", &["bottom", "side", "transom", "deck"]),
-        ("car-topper.csv", &["strake-1", "side", "bottom", "transom", "deck"]),
-        ("chesapeake-bay-sharpie.csv", &["bottom", "side", "transom", "deck"]),
+        ("skiff.xlsx", ["bottom", "side"], &["transom", "deck"][..]),
+        ("skiff.csv", ["bottom", "side"], &["transom", "deck"]),
+        ("car-topper.csv", ["strake-1", "side"], &["bottom", "transom", "deck"]),
+        ("chesapeake-bay-sharpie.csv", ["bottom", "side"], &["transom", "deck"]),
     ];
-    for (table, names) in boats {
+    for (table, planks, boards) in boats {
         for units in ["", "mm", "cm", "m", "in", "ft"] {
             let mut settings =
                 vec![format!("table={table}"), "transoms=yes".to_owned(), "deck=yes".to_owned()];
             settings.extend((!units.is_empty()).then(|| format!("units={units}")));
             let new = sheetwright_files::new_design("hull", &settings, &folder).unwrap();
-            assert_eq!(panels(&new.design), names, "{table}");
+            assert_eq!(panels(&new.design), hull(&planks, boards), "{table}");
             let text = String::from_utf8(new.bytes()).unwrap();
             for name in ["Sheer", "Sheer-starboard"] {
                 let name =
@@ -316,15 +323,13 @@ fn every_example_of_the_page_is_read() {
     let [commands, tables @ ..] = &blocks[..] else { panic!("{page}") };
     assert!(commands.starts_with("sheetwright "), "{commands}");
     assert_eq!(tables.len(), 3);
-    for (text, expected) in tables.iter().zip([
-        &["bottom", "side", "transom", "transom-2"][..],
-        &["side", "bottom", "transom", "transom-2"],
-        &["side", "bottom", "transom", "transom-2"],
-    ]) {
+    let flat = hull(&["side"], &["bottom", "transom", "transom-2"]);
+    let keeled = hull(&["bottom", "side"], &["transom", "transom-2"]);
+    for (text, expected) in tables.iter().zip([&keeled, &flat, &flat]) {
         let options = ReadOptions::default();
         let read = read_bytes(InputFormat::Table, text.as_bytes(), "a.csv", None, &options);
         let design = read.unwrap_or_else(|error| panic!("{error} / {}\n{text}", error.hint));
-        assert_eq!(panels(&design), expected, "{text}");
+        assert_eq!(&panels(&design), expected, "{text}");
     }
 }
 

@@ -235,7 +235,56 @@ fn holes_along(part: &Part, edge: usize, inset: f64) -> Vec<f64> {
 
 #[test]
 fn stitch_holes_of_a_dinghy_meet_by_arc_length() {
-    let made = make(&for_trade("dinghy", "boat"));
+    let compared = compared_holes(&make(&for_trade("dinghy", "boat")));
+    assert!(compared >= 2, "{compared} joints");
+}
+
+/// A hull with a keel and one with a flat bottom, both with a transom: planks have holes along
+/// every seam, those with the transom too.
+#[test]
+fn stitch_holes_of_hulls_from_tables_meet_on_every_seam() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/offsets");
+    // Keel, chines and four edges of the transom; chines, stem and three edges of the transom.
+    for (table, seams, unjoined) in [
+        (
+            "skiff.csv",
+            7,
+            &[
+                "bottom-port/end",
+                "bottom-starboard/end",
+                "side-port/Sheer",
+                "side-port/end",
+                "side-starboard/Sheer-starboard",
+                "side-starboard/end",
+                "transom/transom-top",
+            ][..],
+        ),
+        (
+            "flat-skiff.csv",
+            6,
+            &["side-port/Sheer", "side-starboard/Sheer-starboard", "transom/transom-top"],
+        ),
+    ] {
+        let settings = [format!("table={table}"), "transoms=yes".to_owned()];
+        let new = sheetwright_files::new_design("hull", &settings, &folder).unwrap();
+        let read = |bytes: &[u8]| {
+            let format = InputFormat::Design;
+            read_bytes(format, bytes, "d.sheet.json", Some(&folder), &options("boat")).unwrap()
+        };
+        let made = make(&read(&new.bytes()));
+        assert_eq!(compared_holes(&made), seams, "{table}");
+        let free = made.parts.iter().flat_map(|part| {
+            let free = part.edges.iter().filter(|edge| edge.mates.is_empty());
+            free.map(|edge| format!("{}/{}", part.name, edge.name))
+        });
+        let mut free: Vec<String> = free.collect();
+        free.sort_unstable();
+        assert_eq!(free, unjoined, "{table}");
+    }
+}
+
+/// How many joints of two whole edges there are, whose holes are seen to meet.
+fn compared_holes(made: &Made) -> usize {
     let mut compared = 0;
     for (number, part) in made.parts.iter().enumerate() {
         for (n, edge) in part.edges.iter().enumerate() {
@@ -271,7 +320,7 @@ fn stitch_holes_of_a_dinghy_meet_by_arc_length() {
             compared += 1;
         }
     }
-    assert!(compared >= 2, "{compared} joints");
+    compared
 }
 
 /// How many tabs stand along an edge: folds both of whose ends, and whose middle, lie on it.

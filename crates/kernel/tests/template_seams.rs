@@ -2,13 +2,14 @@
 //! have one length.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
+use sheetwright::boundary::size_of;
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
 use sheetwright::design::{Design, DesignPanel, PanelShape};
 use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point3, Vec3};
 use sheetwright::pattern::PathKind;
-use sheetwright::template::{Value, template};
+use sheetwright::template::{NamedCurve, Value, template};
 use sheetwright::watch::Unwatched;
 
 /// Edges of two panels that are to be joined differ by this share of their length at the most: a
@@ -123,6 +124,11 @@ fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
         values.set("halves", Value::Choice("both".to_owned())).unwrap();
         let design = values.design().unwrap();
         let made = make(&design, &mut Unwatched).unwrap();
+        let half = template(name).unwrap().defaults().design().unwrap();
+        let twice = half.panels.iter().filter(|panel| (panel.count, panel.mirrored) == (2, 1));
+        let mut both = twice.map(|panel| format!("{}-starboard", panel.name));
+        assert!(both.all(|name| design.panels.iter().any(|panel| panel.name == name)), "{name}");
+        assert!(design.panels.iter().all(|panel| panel.count == 1), "{name}");
         let panel = |name: &str| made.parts.iter().find(|panel| panel.name == name);
         for (half, outwards) in [("bottom", -Vec3::Z), ("side", Vec3::Y), ("deck", Vec3::Z)] {
             let (Some(port), Some(starboard)) =
@@ -146,5 +152,72 @@ fn both_halves_of_a_boat_are_drawn_and_face_outwards() {
         }
         let on_keel = |panel: &&DesignPanel| curves_of(panel).contains(&"keel");
         assert_eq!(design.panels.iter().filter(on_keel).count(), 2, "{name}");
+    }
+}
+
+/// The lines of the skiff that the template draws without a table: keel, chine, sheer.
+fn skiff() -> Vec<NamedCurve> {
+    let design = template("hull").unwrap().defaults().design().unwrap();
+    let line = |name: &str| {
+        let curve = design.curves.iter().find(|curve| curve.name == name).unwrap();
+        NamedCurve { name: name.to_owned(), points: curve.points.clone() }
+    };
+    ["keel", "chine", "sheer"].map(line).to_vec()
+}
+
+/// Keel, chines, stem, sheer and the edges of transoms, one or two of them.
+#[test]
+fn every_edge_of_a_hull_with_a_deck_is_joined_along_its_whole_length() {
+    let aft = || {
+        let mut lines = skiff();
+        lines.iter_mut().for_each(|line| line.points.reverse());
+        lines
+    };
+    let scow = || {
+        let mut lines = skiff();
+        lines.iter_mut().for_each(|line| line.points.truncate(7));
+        // Its bow ends in a plane, up to 1.4 mm.
+        lines[1].points[6].at.x = 2687.0;
+        lines
+    };
+    let flat = |lines: Vec<NamedCurve>| lines.into_iter().skip(1).collect::<Vec<_>>();
+    for (lines, boards) in [
+        (skiff(), 1),
+        (aft(), 1),
+        (scow(), 2),
+        (flat(skiff()), 1),
+        (flat(aft()), 1),
+        (flat(scow()), 2),
+    ] {
+        let mut values = template("hull").unwrap().defaults();
+        values.set("table", Value::Table(lines)).unwrap();
+        for name in ["transoms", "deck"] {
+            values.set(name, Value::Choice("yes".to_owned())).unwrap();
+        }
+        let made = make(&values.design().unwrap(), &mut Unwatched).unwrap();
+        let transoms = made.parts.iter().filter(|part| part.name.starts_with("transom"));
+        assert_eq!(transoms.count(), boards);
+        let parts = made.parts.iter();
+        let size = size_of(parts.flat_map(|part| part.sheet.mesh().positions().iter().copied()));
+        let (mut pairs, mut most, mut free) = (0, 0.0f64, Vec::new());
+        for part in &made.parts {
+            println!("{}: {:?}", part.name, part.checked.verdict);
+            for edge in &part.edges {
+                let place = format!("{}/{}", part.name, edge.name);
+                let own: f64 = edge.shared_mm.iter().map(|shared| shared[0]).sum();
+                if (own - edge.length_flat_mm).abs() > 1e-6 * size {
+                    free.push(format!("{place}: {own} of {} mm", edge.length_flat_mm));
+                }
+                let differ = edge.shared_mm.iter().map(|[own, other]| (own - other).abs());
+                most = differ.fold(most, f64::max);
+                pairs += edge.mates.len();
+            }
+        }
+        println!("{most:e} of {size} mm, {pairs}; {free:?}");
+        assert!(free.is_empty(), "{free:?}");
+        assert!(most < 1e-6 * size, "{most:e} of {size} mm");
+        let order = made.joining_order();
+        assert_eq!(order.iter().filter(|step| step.begins).count(), 1);
+        assert_eq!(order.iter().map(|step| step.joins.len()).sum::<usize>(), pairs / 2);
     }
 }

@@ -14,6 +14,7 @@ use sheetwright::fair::VaryCause;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Made, MakeCause, Part, make};
 use sheetwright::math::{Point3, cos, from_deg, sin, to_deg};
+use sheetwright::template::{NamedCurve, Value, template};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::hull::planks;
 use sheetwright_shapes::random::Random;
@@ -393,4 +394,96 @@ fn what_cannot_move_is_said() {
     let mut run_on = Design { vary: vec![Vary::default()], ..quarter() };
     run_on.panels[0].run_on = true;
     assert_eq!(refused(&run_on), (VaryCause::RunsOn, String::new(), "quarter".into()));
+}
+
+/// A boat of a template with these choices.
+fn boat(name: &str, choices: &[(&str, &str)], lines: Option<Vec<NamedCurve>>) -> Design {
+    let mut values = template(name).unwrap().defaults();
+    for (parameter, choice) in choices {
+        values.set(parameter, Value::Choice((*choice).to_owned())).unwrap();
+    }
+    lines.into_iter().for_each(|lines| values.set("table", Value::Table(lines)).unwrap());
+    values.design().unwrap()
+}
+
+fn curve_of<'a>(design: &'a Design, name: &str) -> &'a DesignCurve {
+    design.curves.iter().find(|curve| curve.name == name).unwrap()
+}
+
+/// Curves in the middle plane stay in it, and images are images, to the bit: of curves that have
+/// one to starboard, of edges of transoms that run across, and of points where halves meet.
+fn assert_mirrored(before: &Design, moved: &Design) {
+    let image = |p: Point3| Point3::new(p.x, 0.0 - p.y, p.z);
+    for (was, is) in before.curves.iter().zip(&moved.curves) {
+        for (was, is) in was.points.iter().zip(&is.points) {
+            assert!(was.at.y != 0.0 || is.at.y == 0.0, "{was:?} {is:?}");
+        }
+        let starboard = format!("{}-starboard", is.name);
+        if let Some(other) = moved.curves.iter().find(|curve| curve.name == starboard) {
+            let pairs = is.points.iter().zip(&other.points);
+            pairs.for_each(|(a, b)| assert_eq!(image(a.at), b.at, "{}", is.name));
+        }
+        if let [a, b] = &was.points[..]
+            && image(a.at) == b.at
+        {
+            assert_eq!(image(is.points[0].at), is.points[1].at, "{}", is.name);
+        }
+    }
+}
+
+/// Boats whose largest warp angle is to fall by a fifth. Their halves are drawn, or said to be cut
+/// twice, once turned over.
+#[test]
+fn boats_stay_their_own_mirror_images() {
+    let transoms = ("transoms", "yes");
+    let skiff = boat("hull", &[transoms], None);
+    let half = boat("hull", &[transoms, ("halves", "port")], None);
+    let lines = ["chine", "sheer"].map(|name| NamedCurve {
+        name: name.to_owned(),
+        points: curve_of(&skiff, name).points.clone(),
+    });
+    let flat = boat("hull", &[transoms], Some(lines.to_vec()));
+    let dinghy = boat("dinghy", &[("halves", "both")], None);
+    let half_dinghy = boat("dinghy", &[], None);
+    let mut missed = Vec::new();
+    for mut design in [skiff, half, flat, dinghy, half_dinghy] {
+        // A chine that is too wide and high aft makes planks twist.
+        for chine in design.curves.iter_mut().filter(|curve| curve.name.starts_with("chine")) {
+            for point in chine.points.iter_mut().skip(2).take(2) {
+                (point.at.y, point.at.z) = (1.05 * point.at.y, point.at.z + 15.0);
+            }
+        }
+        let warp = made(&design).parts.iter().map(|p| p.measures.warp_max).fold(0.0, f64::max);
+        let goal = VaryGoal::Warp { largest: 0.8 * warp };
+        let vary = Vary { goal, limit_mm: Some(60.0), ..Vary::default() };
+        let made = made(&Design { vary: vec![vary], ..design.clone() });
+        let changes = || made.parts.iter().filter_map(|part| part.change());
+        let farthest = changes().map(|change| change.moved_max_mm()).fold(0.0, f64::max);
+        println!("{}: {:.2}°, moved {farthest:.2} mm", design.name, to_deg(warp));
+        missed.extend(changes().map(|c| c.ended.clone()).filter(|e| *e != Ended::Reached));
+        assert!(farthest > 0.01, "{}: {farthest} mm", design.name);
+        assert_mirrored(&design, made.moved.as_ref().unwrap());
+    }
+    assert_eq!(missed, []);
+}
+
+/// A panel that is named moves its curves, and with them their images; of curves that are named,
+/// only those.
+#[test]
+fn images_move_with_the_curves_of_a_panel_but_not_with_curves_that_are_named() {
+    let design = boat("hull", &[], None);
+    let vary =
+        Vary { panels: vec!["side-port".to_owned()], limit_mm: Some(5.0), ..Vary::default() };
+    let moved = made(&Design { vary: vec![vary.clone()], ..design.clone() }).moved.unwrap();
+    assert_mirrored(&design, &moved);
+    assert_ne!(curve_of(&moved, "sheer"), curve_of(&design, "sheer"));
+    let vary = Vary { curves: vec!["sheer".to_owned()], ..vary };
+    let moved = made(&Design { vary: vec![vary], ..design.clone() }).moved.unwrap();
+    assert_ne!(curve_of(&moved, "sheer"), curve_of(&design, "sheer"));
+    for stays in ["chine", "keel", "chine-starboard", "sheer-starboard"] {
+        let points = |design: &Design| -> Vec<Point3> {
+            curve_of(design, stays).points.iter().map(|point| point.at).collect()
+        };
+        assert_eq!(points(&moved), points(&design), "{stays}");
+    }
 }

@@ -2,7 +2,8 @@
 //!
 //! Two edges on one curve are mates where they have a stretch of it in common. Where both have the
 //! same samples, that is the steps that they share, bit by bit. Where they were sampled apart, it
-//! is what `shared` finds. Edges on two curves are mates where they lie on one another (`twins`).
+//! is what `shared` finds. Edges on two curves are mates where they lie on one another (`twins`),
+//! and so are the straight end of a strip and an edge on a curve.
 
 use super::shared::{Shared, lengths, shared};
 use super::twins::{Twins, twins};
@@ -69,8 +70,8 @@ impl Placed {
     }
 }
 
-/// Looks for the mates of all edges of a design, and compares their lengths: of edges on one curve,
-/// of the two sides of a cut, and of parts of meshes that meet.
+/// Looks for the mates of all edges of a design, and compares their lengths: of edges on one curve
+/// or on one another, of the two sides of a cut, and of parts of meshes that meet.
 pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
     let mut groups: BTreeMap<Group, Vec<Placed>> = BTreeMap::new();
     for (number, part) in parts.iter().enumerate() {
@@ -87,14 +88,16 @@ pub(crate) fn join_mates(parts: &mut [PartEdges<'_>]) {
         let pairs = pairs(group, list, least_mm).into_iter();
         pairs.map(move |pair| (pair.map(|n| &list[n]), None))
     });
-    let on_curves: Vec<&Placed> =
-        groups.values().flatten().filter(|edge| edge.curve.is_some()).collect();
+    let may_lie_on_another = |group: &Group| matches!(group, Group::Curve(_) | Group::Ends);
+    let apart = groups.iter().filter(|(group, _)| may_lie_on_another(group));
+    let apart: Vec<&Placed> = apart.flat_map(|(_, list)| list).collect();
     let of_twins = {
         let lines: Vec<(&[Point3], bool)> =
-            on_curves.iter().map(|edge| (&edge.space[..], edge.is_loop)).collect();
-        let is_other = |[a, b]: [usize; 2]| on_curves[a].curve != on_curves[b].curve;
+            apart.iter().map(|edge| (&edge.space[..], edge.is_loop)).collect();
+        // Two ends, which have no curve, are looked at as a group.
+        let is_other = |[a, b]: [usize; 2]| apart[a].curve != apart[b].curve;
         let pairs = twins(&lines, least_mm, is_other).into_iter();
-        pairs.map(|Twins { pair, common }| (pair.map(|n| on_curves[n]), common)).collect::<Vec<_>>()
+        pairs.map(|Twins { pair, common }| (pair.map(|n| apart[n]), common)).collect::<Vec<_>>()
     };
     for ([a, b], found) in of_groups.chain(of_twins) {
         let commons = match found {
@@ -257,6 +260,28 @@ mod tests {
         join_mates(&mut parts);
         let mates: Vec<usize> = made.iter().map(|(edges, _, _)| edges[0].mates.len()).collect();
         assert_eq!(mates, [1, 1, 0]);
+    }
+
+    #[test]
+    fn the_end_of_a_strip_is_the_mate_of_a_part_of_a_curve() {
+        let mut made: Vec<_> = [
+            &[[0., 0.], [2., 0.], [5., 0.], [5., 4.]][..],
+            &[[4., 0.], [1., 0.]],
+            &[[5., 4.], [5., 0.]],
+            &[[0., 1.], [5., 1.]],
+        ]
+        .iter()
+        .map(|line| edge(line))
+        .collect();
+        for (edges, _, _) in &mut made[1..] {
+            edges[0].source = EdgeSource::Start;
+        }
+        let mut parts: Vec<PartEdges<'_>> =
+            made.iter_mut().map(|(edges, space, flat)| PartEdges { edges, space, flat }).collect();
+        join_mates(&mut parts);
+        let mates: Vec<usize> = made.iter().map(|(edges, _, _)| edges[0].mates.len()).collect();
+        assert_eq!(mates, [2, 1, 1, 0]);
+        assert_eq!(made[0].0[0].shared_mm, [[3.0, 3.0], [4.0, 4.0]]);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Edges on two curves that lie on one another, as where two pipes meet of which each has a curve
-//! of its own, or where three meet and each edge lies on a part of either other.
+//! of its own, or where three meet and each edge lies on a part of either other. The straight end
+//! of a strip may lie on a curve likewise, as planks end on the edge of a transom.
 //!
 //! Sampled apart, two polylines on one curve are as far from one another as their chords are from
 //! the curve. How far that is can be told from a polyline alone: a point lies four times as far

@@ -11,8 +11,9 @@ use sheetwright_optimum::cost::SampleSlope;
 pub struct Share {
     /// The unknown, a displacement in space, counted from 0.
     pub unknown: usize,
-    /// The share, without unit.
-    pub factor: f64,
+    /// The share along each axis, without unit. Alike along all of them, but for what mirrors the
+    /// displacement in a plane across an axis, or holds it in that plane.
+    pub factor: Vec3,
 }
 
 /// The slip of a sample along its curve as an unknown moves: `way` · displacement, mm.
@@ -87,7 +88,8 @@ pub fn motions(boundary: &Boundary, positions: Vec<Vec<Share>>) -> Vec<Motion> {
 /// # Panics
 /// Unless there is one entry for every sample.
 pub fn motions_of_samples(boundary: &Boundary, unknown: &[Option<usize>]) -> Vec<Motion> {
-    let of = |n: &Option<usize>| n.iter().map(|&unknown| Share { unknown, factor: 1.0 }).collect();
+    let of =
+        |n: &Option<usize>| n.iter().map(|&unknown| Share { unknown, factor: Vec3::ONE }).collect();
     motions(boundary, unknown.iter().map(of).collect())
 }
 
@@ -116,8 +118,8 @@ pub fn control_shares(along: f64, first: usize, controls: usize) -> Vec<Share> {
         }
         values[degree] = carried;
     }
-    let shares = (0..4).map(|r| Share { unknown: first + span + r, factor: values[r] });
-    shares.filter(|share| share.factor != 0.0).collect()
+    let some = (0..4).filter(|&r| values[r] != 0.0);
+    some.map(|r| Share { unknown: first + span + r, factor: Vec3::splat(values[r]) }).collect()
 }
 
 /// The weight of each unknown in a budget for samples: the sum of the shares that the samples of
@@ -133,7 +135,7 @@ pub fn counted_shares<'a>(
 ) -> Vec<f64> {
     let mut sums = vec![0.0; unknowns];
     for share in motions.into_iter().flat_map(|motion| &motion.position) {
-        sums[share.unknown] += share.factor.abs();
+        sums[share.unknown] += share.factor.abs().max_element();
     }
     sums.into_iter().map(|sum| if sum > 0.0 { sum } else { 1.0 }).collect()
 }
@@ -148,7 +150,7 @@ fn gathered(mut shares: Vec<Share>) -> Vec<Share> {
             _ => sums.push(share),
         }
     }
-    sums.retain(|share| share.factor != 0.0);
+    sums.retain(|share| share.factor != Vec3::ZERO);
     sums
 }
 
@@ -278,12 +280,12 @@ mod tests {
             for step in 0..=97 {
                 let along = f64::from(step) / 97.0;
                 let shares = control_shares(along, 10, controls);
-                assert!(shares.iter().all(|s| s.factor > 0.0));
+                assert!(shares.iter().all(|s| s.factor.min_element() > 0.0));
                 assert!(shares.iter().all(|s| (10..10 + controls).contains(&s.unknown)));
-                let sum: f64 = shares.iter().map(|s| s.factor).sum();
-                assert!((sum - 1.0).abs() < 1e-14, "{controls} {along} {sum}");
+                let sum: Vec3 = shares.iter().map(|s| s.factor).sum();
+                assert!((sum - Vec3::ONE).length() < 1e-14, "{controls} {along} {sum}");
             }
-            let only = |unknown| vec![Share { unknown, factor: 1.0 }];
+            let only = |unknown| vec![Share { unknown, factor: Vec3::ONE }];
             assert_eq!(control_shares(0.0, 10, controls), only(10));
             assert_eq!(control_shares(1.0, 10, controls), only(9 + controls));
         }
@@ -291,6 +293,8 @@ mod tests {
         let middle = control_shares(0.5, 0, 9);
         let expected = [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0];
         assert_eq!(middle.iter().map(|s| s.unknown).collect::<Vec<_>>(), [3, 4, 5]);
-        assert!(middle.iter().zip(expected).all(|(s, e)| (s.factor - e).abs() < 1e-15));
+        assert!(
+            middle.iter().zip(expected).all(|(s, e)| (s.factor - Vec3::splat(e)).length() < 1e-15)
+        );
     }
 }

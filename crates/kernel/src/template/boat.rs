@@ -12,9 +12,10 @@ const HALVES: Parameter = Parameter {
     kind: Kind::Choice(&[PORT, BOTH]),
 };
 
-const PORT: Choice =
+pub(super) const PORT: Choice =
     Choice { name: "port", meaning: "the port half, to be cut twice, once turned over" };
-const BOTH: Choice = Choice { name: "both", meaning: "port and starboard, each cut once" };
+pub(super) const BOTH: Choice =
+    Choice { name: "both", meaning: "port and starboard, each cut once" };
 
 /// A pointed boat with a transom.
 pub(super) const DINGHY: Template = Template {
@@ -261,6 +262,8 @@ fn finished(mut sketch: Sketch, values: &Values, halves: &[&str]) -> Sketch {
     sketch.stations(&places);
     if values.choice(HALVES.name) == BOTH.name {
         sketch.mirror(halves);
+    } else {
+        sketch.cut_twice(halves);
     }
     sketch
 }

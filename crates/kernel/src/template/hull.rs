@@ -1,5 +1,6 @@
 //! A hull from measured lines.
 
+use super::boat::{BOTH, PORT};
 use super::sketch::{Drawn, Sketch, mirrored};
 use super::{Choice, Kind, NamedCurve, Parameter, Template, TemplateError, Values};
 use sheetwright_geometry::curve::CurvePoint;
@@ -10,8 +11,8 @@ pub(super) const HULL: Template = Template {
     name: "hull",
     title: "Hull from a table of offsets, a plank between each two lines",
     who: "Boat builders and naval architects get the planks of a design, or of a boat that they \
-          measured, from the offsets of its lines; planks are one half and are cut twice, once \
-          turned over, and without a table it draws a skiff to begin with.",
+          measured, from the offsets of its lines, which are those of one half; without a table \
+          it draws a skiff to begin with.",
     words: &[
         "offsets",
         "offset table",
@@ -32,13 +33,18 @@ pub(super) const HULL: Template = Template {
     build: hull,
 };
 
-const PARAMETERS: [Parameter; 4] = [
+const PARAMETERS: [Parameter; 5] = [
     Parameter {
         name: "table",
         meaning: "a curve for each line, from the keel to the sheer: x along, y out, z up",
         kind: Kind::Table,
     },
     Parameter { name: "units", meaning: "unit of the table's numbers", kind: Kind::Choice(&UNITS) },
+    Parameter {
+        name: "halves",
+        meaning: "halves of the planks that are drawn",
+        kind: Kind::Choice(&[BOTH, PORT]),
+    },
     Parameter {
         name: "transoms",
         meaning: "whether flat ends of the hull are drawn, too",
@@ -156,12 +162,21 @@ fn hull(values: &Values) -> Drawn {
     let sheer = middle(upwards[upwards.len() - 1]);
     let inside = Point3::new(sheer.x, 0.0, sheer.z);
     let is_flat = has_flat_bottom(&upwards);
-    planks(&mut sketch, &upwards, is_flat, inside);
+    let planks = plank_names(&upwards, is_flat);
+    for (name, pair) in planks.iter().zip(upwards.windows(2)) {
+        plank(&mut sketch, name, [pair[1], pair[0]], inside);
+    }
+    let halves: Vec<&str> = planks.iter().map(String::as_str).collect();
+    if values.choice("halves") == BOTH.name {
+        sketch.mirror(&halves);
+    } else {
+        sketch.cut_twice(&halves);
+    }
     if is_flat {
-        across(&mut sketch, "bottom", upwards[0], inside);
+        across(&mut sketch, BOTTOM, upwards[0], inside);
     }
     if values.choice("transoms") == NO_YES[1].name {
-        transoms(&mut sketch, &upwards);
+        transoms(&mut sketch, &upwards, &planks, is_flat);
     }
     if values.choice("deck") == NO_YES[1].name {
         // Seen from below, where the keel is, the deck faces away.
@@ -180,8 +195,8 @@ const MOST_STATIONS: usize = 1000;
 /// A lowest line that keeps this share of the half-breadth from the middle plane is no keel, but
 /// the edge of a flat bottom.
 const FLAT_BOTTOM: f64 = 0.1;
-/// How far the ends of lines may lie from the plane of a transom, as a share of its height: what
-/// rounding to an eighth of an inch leaves of a small one.
+/// How far the ends of lines may lie from a plane across the hull, as a share of the height of the
+/// end, if it is to be a transom: what rounding to an eighth of an inch leaves of a small one.
 const OFF_TRANSOM: f64 = 0.01;
 /// The least width of a transom, as a share of the breadth of the hull: a narrower end is a stem.
 const LEAST_TRANSOM: f64 = 0.1;
@@ -194,45 +209,44 @@ fn has_flat_bottom(upwards: &[&NamedCurve]) -> bool {
     widest(upwards[0]) > FLAT_BOTTOM * of_all
 }
 
-/// A plank between each two neighbouring lines, one half of the hull's; each faces away from
-/// `inside`.
-fn planks(sketch: &mut Sketch, upwards: &[&NamedCurve], is_flat: bool, inside: Point3) {
+/// The name of a flat bottom, and of the lowest plank of a hull that has none.
+const BOTTOM: &str = "bottom";
+
+/// The names of the planks between each two neighbouring lines.
+fn plank_names(upwards: &[&NamedCurve], is_flat: bool) -> Vec<String> {
     let last = upwards.len() - 2;
-    for (n, pair) in upwards.windows(2).enumerate() {
-        let name = match n {
-            n if n == last && (n > 0 || is_flat) => "side".to_owned(),
-            0 if !is_flat => "bottom".to_owned(),
-            n => format!("strake-{}", n + usize::from(is_flat)),
-        };
-        let [mut first, mut second] = [pair[1], pair[0]];
-        if !faces_away(first, second, inside) {
-            (first, second) = (second, first);
-        }
-        sketch.plank(name, [&first.name, &second.name], SAMPLES);
-        sketch.both_halves();
+    let name = |n: usize| match n {
+        n if n == last && (n > 0 || is_flat) => "side".to_owned(),
+        0 if !is_flat => BOTTOM.to_owned(),
+        n => format!("strake-{}", n + usize::from(is_flat)),
+    };
+    (0..=last).map(name).collect()
+}
+
+/// A plank between two lines, that faces away from `inside`.
+fn plank(sketch: &mut Sketch, name: &str, lines: [&NamedCurve; 2], inside: Point3) {
+    let [mut first, mut second] = lines;
+    if !faces_away(first, second, inside) {
+        (first, second) = (second, first);
     }
+    sketch.plank(name, [&first.name, &second.name], SAMPLES);
 }
 
 /// A panel from a line to its mirror image, of straight lines across: a deck or a flat bottom.
 fn across(sketch: &mut Sketch, name: &str, line: &NamedCurve, away_from: Point3) {
     let image = NamedCurve {
-        name: format!("{}-starboard", line.name),
+        name: sketch.image(&line.name),
         points: line
             .points
             .iter()
             .map(|point| CurvePoint { at: mirrored(point.at), ..*point })
             .collect(),
     };
-    sketch.through(&image.name, image.points.clone());
-    let [mut first, mut second] = [line, &image];
-    if !faces_away(first, second, away_from) {
-        (first, second) = (second, first);
-    }
-    sketch.plank(name, [&first.name, &second.name], SAMPLES);
+    plank(sketch, name, [line, &image], away_from);
 }
 
 /// Draws each end of a hull whose lines end in a plane across it, wide enough to be a transom.
-fn transoms(sketch: &mut Sketch, upwards: &[&NamedCurve]) {
+fn transoms(sketch: &mut Sketch, upwards: &[&NamedCurve], planks: &[String], is_flat: bool) {
     let first = |line: &&NamedCurve| line.points[0].at;
     let last = |line: &&NamedCurve| line.points[line.points.len() - 1].at;
     let ends = [
@@ -255,21 +269,59 @@ fn transoms(sketch: &mut Sketch, upwards: &[&NamedCurve]) {
         {
             continue;
         }
-        // In the plane itself, so that the board is flat.
-        let port = end.iter().map(|p| Point3::new(plane(p.z), p.y, p.z));
-        let mut rim: Vec<Point3> = port.clone().collect();
-        let starboard = port.rev().filter(|p| p.y != 0.0).map(mirrored);
-        rim.extend(starboard);
-        // The board faces away from the hull.
-        if sheer.x < middle {
-            rim.reverse();
-        }
         number += 1;
         let name = if number == 1 { "transom".to_owned() } else { format!("transom-{number}") };
-        let edge = format!("{name}-edge");
-        sketch.rim(&edge, &rim);
-        sketch.patch(name, &[&edge], TRANSOM_SAMPLES);
+        let mut edges = board_edges(sketch, &name, &end, planks, is_flat);
+        // The board faces away from the hull.
+        if sheer.x < middle {
+            edges.reverse();
+            edges.iter_mut().for_each(|edge| *edge = opposite(edge));
+        }
+        let edges: Vec<&str> = edges.iter().map(String::as_str).collect();
+        sketch.patch(name, &edges, TRANSOM_SAMPLES);
     }
+}
+
+/// Draws the edges of a transom, each straight from the end of a line to that of the next, as the
+/// planks end; where the ends lie out of one plane, so does the board. Gives their names as they
+/// run round it: up to port, and down to starboard.
+fn board_edges(
+    sketch: &mut Sketch,
+    board: &str,
+    end: &[Point3],
+    planks: &[String],
+    is_flat: bool,
+) -> Vec<String> {
+    // A line from one point of the middle plane to another is no edge of the board.
+    let below = end[1..].iter().take_while(|p| end[0].y == 0.0 && p.y == 0.0).count();
+    let [lowest, sheer] = [end[below], end[end.len() - 1]];
+    let mut edges = Vec::new();
+    if lowest.y != 0.0 {
+        let name = format!("{board}-{}", if is_flat { BOTTOM } else { "keel" });
+        sketch.polyline(&name, &[mirrored(lowest), lowest]);
+        edges.push(name);
+    }
+    let mut to_starboard = Vec::new();
+    for (plank, ends) in planks.iter().zip(end.windows(2)).skip(below) {
+        // Two lines that end in one point have no edge between them.
+        if ends[0] == ends[1] {
+            continue;
+        }
+        let name = format!("{board}-{plank}");
+        sketch.polyline(&name, ends);
+        to_starboard.push(opposite(&sketch.image(&name)));
+        edges.push(name);
+    }
+    let name = format!("{board}-top");
+    sketch.polyline(&name, &[sheer, mirrored(sheer)]);
+    edges.push(name);
+    edges.extend(to_starboard.into_iter().rev());
+    edges
+}
+
+/// The name of a curve, run the other way.
+fn opposite(edge: &str) -> String {
+    edge.strip_prefix('-').map_or_else(|| format!("-{edge}"), str::to_owned)
 }
 
 /// Places along x at which every line has a point between its ends, in increasing order: the
@@ -315,7 +367,7 @@ fn faces_away(first: &NamedCurve, second: &NamedCurve, from: Point3) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::{Axis, Design, Mark, MarkKind, PanelShape, StationPlaces};
+    use crate::design::{Axis, Design, DesignPanel, Mark, MarkKind, PanelShape, StationPlaces};
     use crate::template::{Value, template};
 
     fn drawn(lines: Vec<NamedCurve>) -> Result<Design, TemplateError> {
@@ -332,7 +384,7 @@ mod tests {
     fn planks_are_the_same_from_either_end_of_the_table() {
         let upwards = drawn(skiff()).unwrap();
         let names: Vec<&str> = upwards.panels.iter().map(|panel| panel.name.as_str()).collect();
-        assert_eq!(names, ["bottom", "side"]);
+        assert_eq!(names, ["bottom-port", "bottom-starboard", "side-port", "side-starboard"]);
         let PanelShape::Rails([first, second]) = &upwards.panels[0].shape else { panic!() };
         assert_eq!([&first.name[..], &second.name[..]], ["chine", "keel"]);
         let downwards = drawn(skiff().into_iter().rev().collect()).unwrap();
@@ -361,18 +413,30 @@ mod tests {
     }
 
     #[test]
-    fn a_hull_without_a_keel_has_a_flat_bottom_and_all_planks_come_twice() {
-        let panels = |design: &Design| -> Vec<(String, [u32; 2])> {
-            let of = |p: &crate::design::DesignPanel| (p.name.clone(), [p.count, p.mirrored]);
-            design.panels.iter().map(of).collect()
+    fn one_half_is_drawn_for_both_if_that_is_wanted() {
+        let panels = |lines: Vec<NamedCurve>, halves: &str| -> Vec<(String, [u32; 2])> {
+            let mut values = template("hull").unwrap().defaults();
+            values.set("table", Value::Table(lines)).unwrap();
+            values.set("halves", Value::Choice(halves.to_owned())).unwrap();
+            let of = |p: &DesignPanel| (p.name.clone(), [p.count, p.mirrored]);
+            values.design().unwrap().panels.iter().map(of).collect()
         };
-        let both = drawn(skiff()).unwrap();
-        let twice = [2, 1];
-        assert_eq!(panels(&both), [("bottom".to_owned(), twice), ("side".to_owned(), twice)]);
+        let named = |list: &[(&str, [u32; 2])]| -> Vec<(String, [u32; 2])> {
+            list.iter().map(|(name, count)| ((*name).to_owned(), *count)).collect()
+        };
+        let (once, twice) = ([1, 0], [2, 1]);
+        assert_eq!(panels(skiff(), "port"), named(&[("bottom", twice), ("side", twice)]));
+        let flat = || skiff().into_iter().skip(1).collect();
+        assert_eq!(panels(flat(), "port"), named(&[("side", twice), ("bottom", once)]));
+        let both = [("side-port", once), ("side-starboard", once), ("bottom", once)];
+        assert_eq!(panels(flat(), "both"), named(&both));
+    }
+
+    #[test]
+    fn a_hull_without_a_keel_has_a_flat_bottom() {
         let flat = drawn(skiff().into_iter().skip(1).collect()).unwrap();
-        assert_eq!(panels(&flat), [("side".to_owned(), twice), ("bottom".to_owned(), [1, 0])]);
         let made = crate::make::make(&flat, &mut crate::Unwatched).unwrap();
-        let bottom = &made.parts[1];
+        let bottom = &made.parts[2];
         assert_eq!(bottom.name, "bottom");
         // The bottom is a cylinder across the boat.
         assert!(bottom.measures.warp_max < 0.01, "{}", bottom.measures.warp_max);
@@ -384,17 +448,19 @@ mod tests {
         for name in ["transoms", "deck"] {
             values.set(name, Value::Choice("yes".to_owned())).unwrap();
         }
-        let design = values.design().unwrap();
-        let names: Vec<&str> = design.panels.iter().map(|panel| panel.name.as_str()).collect();
-        assert_eq!(names, ["bottom", "side", "transom", "deck"]);
-        let made = crate::make::make(&design, &mut crate::Unwatched).unwrap();
+        let made = crate::make::make(&values.design().unwrap(), &mut crate::Unwatched).unwrap();
+        let names: Vec<&str> = made.parts.iter().map(|part| part.name.as_str()).collect();
+        assert_eq!(
+            names,
+            ["bottom-port", "bottom-starboard", "side-port", "side-starboard", "transom", "deck"]
+        );
         let normal = |n: usize| {
             let mesh = made.parts[n].sheet.mesh();
             let [a, b, c] = mesh.triangles()[0].map(|v| mesh.position(v));
             (b - a).cross(c - a)
         };
-        assert!(normal(2).x < 0.0, "the transom of the stern faces aft");
-        assert!(normal(3).z > 0.0, "the deck faces up");
+        assert!(normal(4).x < 0.0, "the transom of the stern faces aft");
+        assert!(normal(5).z > 0.0, "the deck faces up");
     }
 
     #[test]

@@ -35,14 +35,6 @@ impl Sketch {
         self.curve(name, CurveKind::Polyline, points);
     }
 
-    /// A closed curve that runs straight from corner to corner.
-    pub(super) fn rim(&mut self, name: impl Into<String>, points: &[Point3]) {
-        self.polyline(name, points);
-        if let Some(curve) = self.curves.last_mut() {
-            curve.closed = true;
-        }
-    }
-
     /// A smooth curve through points.
     pub(super) fn spline(&mut self, name: impl Into<String>, points: &[Point3]) {
         let points = points.iter().map(|&at| CurvePoint::smooth(at)).collect();
@@ -109,10 +101,10 @@ impl Sketch {
         self.panel(name, shape, samples, PanelMethod::Optimal, PlaneChoice::Auto);
     }
 
-    /// Has the panel that was drawn last cut twice, once turned over: for both halves of what was
-    /// drawn to one side of the plane y = 0.
-    pub(super) fn both_halves(&mut self) {
-        if let Some(panel) = self.panels.last_mut() {
+    /// Has these panels, which were drawn to one side of the plane y = 0, cut twice, once turned
+    /// over: for both halves.
+    pub(super) fn cut_twice(&mut self, panels: &[&str]) {
+        for panel in self.panels.iter_mut().filter(|panel| panels.contains(&&panel.name[..])) {
             (panel.count, panel.mirrored) = (2, 1);
         }
     }
@@ -163,23 +155,28 @@ impl Sketch {
         }
     }
 
-    /// The image of a curve to starboard, which is drawn unless it exists; the curve itself if it
-    /// lies in the plane.
+    /// A use of the image of a curve to starboard.
     fn starboard(&mut self, part: &CurveUse) -> CurveUse {
-        let Some(curve) = self.curves.iter().find(|curve| curve.name == part.name) else {
-            return part.clone();
+        CurveUse { name: self.image(&part.name), reversed: part.reversed }
+    }
+
+    /// The name of the image of a curve to starboard, which is drawn unless it exists; that of the
+    /// curve itself if it lies in the plane y = 0.
+    pub(super) fn image(&mut self, of: &str) -> String {
+        let Some(curve) = self.curves.iter().find(|curve| curve.name == of) else {
+            return of.to_owned();
         };
         if curve.points.iter().all(|point| point.at.y == 0.0) {
-            return part.clone();
+            return of.to_owned();
         }
-        let name = format!("{}-starboard", part.name);
+        let name = format!("{of}-starboard");
         if !self.curves.iter().any(|curve| curve.name == name) {
             let mut image = curve.clone();
             image.name.clone_from(&name);
             image.points.iter_mut().for_each(|point| point.at = mirrored(point.at));
             self.curves.push(image);
         }
-        CurveUse { name, reversed: part.reversed }
+        name
     }
 
     fn panel(

@@ -4,7 +4,8 @@
 //! The unknowns are the displacements of the points of curves, so that a spline of a dozen points
 //! stays one, and the result is an ordinary design: [`varied_design`] turns a design into a design.
 //! Points on one spot, such as the ends of curves that meet, are one unknown, and so is a curve
-//! that several panels share. With [`MovedBy::Samples`] a curve first gets as many points as it has
+//! that several panels share. Points that are mirror images in a design that is its own mirror image
+//! are one unknown, too, which moves the one and mirrored the other ([`symmetry`]). With [`MovedBy::Samples`] a curve first gets as many points as it has
 //! samples.
 //!
 //! Between two triangulations the places of the samples on their curves are held, and so are the
@@ -17,12 +18,13 @@
 mod error;
 mod refine;
 mod respacing;
+mod symmetry;
 mod unknowns;
 
 use super::{
     Ended, Limit, Moving, MovingPanel, Varied, VaryError, VaryOptions, counted_shares, vary_moving,
 };
-use crate::design::{Design, DesignCurve, DesignPanel, MovedBy, PanelShape, Vary, VaryGoal, used};
+use crate::design::{Design, DesignPanel, MovedBy, PanelShape, Vary, VaryGoal, used};
 use crate::sample::{PanelCause, PanelError, Prepared, Sampler, matched, prepare};
 pub use error::{FairCause, FairError, VaryCause};
 use refine::with_a_point_a_sample;
@@ -31,6 +33,7 @@ use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::triangulate::TriangulateError;
 use std::collections::{BTreeMap, BTreeSet};
+use symmetry::{Symmetry, curves_of};
 use unknowns::Unknowns;
 
 /// Limit of the points that move together: every step computes all of them.
@@ -86,13 +89,18 @@ pub(crate) fn varied_design(
         return Ok(None);
     }
     let before = Design { vary: Vec::new(), match_seams: true, ..design.clone() };
-    let scopes =
+    let mut scopes =
         asked.iter().map(|vary| Scope::new(&before, vary)).collect::<Result<Vec<_>, _>>()?;
     refuse_moved_twice(&before, &scopes)?;
+    let symmetry = Symmetry::of(&before);
+    if let Some(symmetry) = &symmetry {
+        add_images(&before, symmetry, &asked, &mut scopes)?;
+    }
+    let symmetry = symmetry.as_ref();
     let mut after = before.clone();
     let mut shifts = BTreeMap::new();
     for (vary, scope) in asked.iter().zip(&scopes) {
-        let moved = Problem { design: &after, vary, scope }.solved(watch)?;
+        let moved = Problem { design: &after, vary, scope, symmetry }.solved(watch)?;
         after = moved.0;
         // A panel that follows others comes up once for each; the last entry has all moves.
         shifts.extend(moved.1);
@@ -124,27 +132,16 @@ struct Scope {
 
 impl Scope {
     fn new(design: &Design, vary: &Vary) -> Result<Self, FairError> {
-        let failed = |panel: &str, curve: Option<&str>, cause: VaryCause| FairError {
-            panel: panel.to_owned(),
-            curve: curve.map(str::to_owned),
-            cause: FairCause::Vary(cause),
-        };
         let made = design.panels_to_make();
         for name in &vary.panels {
             if !made.iter().any(|panel| panel.name == *name) {
                 return Err(failed("", None, VaryCause::UnknownPanel { name: name.clone() }));
             }
         }
-        let number = |curve: &DesignCurve| design.curves.iter().position(|c| c.name == curve.name);
-        let curves_of = |panel: &DesignPanel| -> BTreeSet<usize> {
-            used(design, &panel.shape).filter_map(number).collect()
-        };
-        let is_asked =
-            |panel: &DesignPanel| vary.panels.is_empty() || vary.panels.contains(&panel.name);
         let asked: BTreeSet<usize> = made
             .iter()
-            .filter(|panel| is_asked(panel))
-            .flat_map(|panel| curves_of(panel))
+            .filter(|panel| is_asked(vary, panel))
+            .flat_map(|panel| curves_of(design, panel))
             .collect();
         if asked.is_empty() {
             return Err(failed("", None, VaryCause::NoCurves));
@@ -168,26 +165,71 @@ impl Scope {
         if by_point && vary.curves.is_empty() {
             curves.retain(may_move);
         }
-        let mut panels = Vec::new();
-        for (n, panel) in design.panels.iter().enumerate() {
-            let is_made = made.iter().any(|one| one.name == panel.name);
-            if !is_made || curves_of(panel).is_disjoint(&curves) {
-                continue;
-            }
-            if matches!(panel.shape, PanelShape::Join(_)) {
-                return Err(failed(&panel.name, None, VaryCause::Joined));
-            }
-            if panel.run_on {
-                return Err(failed(&panel.name, None, VaryCause::RunsOn));
-            }
-            panels.push((n, !is_asked(panel)));
-        }
+        let panels = panels_of(design, vary, &curves)?;
         let found = curves.iter().map(|&curve| design.curves[curve].points.len()).sum();
         if found > MOST_POINTS {
             return Err(failed("", None, VaryCause::TooManyPoints { found, most: MOST_POINTS }));
         }
         Ok(Self { panels, curves, by_point })
     }
+}
+
+fn failed(panel: &str, curve: Option<&str>, cause: VaryCause) -> FairError {
+    FairError {
+        panel: panel.to_owned(),
+        curve: curve.map(str::to_owned),
+        cause: FairCause::Vary(cause),
+    }
+}
+
+fn is_asked(vary: &Vary, panel: &DesignPanel) -> bool {
+    vary.panels.is_empty() || vary.panels.contains(&panel.name)
+}
+
+/// The panels that have some of these curves, by their numbers, and whether each only follows.
+fn panels_of(
+    design: &Design,
+    vary: &Vary,
+    curves: &BTreeSet<usize>,
+) -> Result<Vec<(usize, bool)>, FairError> {
+    let made = design.panels_to_make();
+    let mut panels = Vec::new();
+    for (n, panel) in design.panels.iter().enumerate() {
+        let is_made = made.iter().any(|one| one.name == panel.name);
+        if !is_made || curves_of(design, panel).is_disjoint(curves) {
+            continue;
+        }
+        if matches!(panel.shape, PanelShape::Join(_)) {
+            return Err(failed(&panel.name, None, VaryCause::Joined));
+        }
+        if panel.run_on {
+            return Err(failed(&panel.name, None, VaryCause::RunsOn));
+        }
+        panels.push((n, !is_asked(vary, panel)));
+    }
+    Ok(panels)
+}
+
+/// Has the mirror images of curves move, too, where neither curves nor points are named that may
+/// move and no other scope moves the image.
+fn add_images(
+    design: &Design,
+    symmetry: &Symmetry,
+    asked: &[Vary],
+    scopes: &mut [Scope],
+) -> Result<(), FairError> {
+    let mut moving: BTreeSet<usize> =
+        scopes.iter().flat_map(|scope| scope.curves.iter().copied()).collect();
+    for (vary, scope) in asked.iter().zip(scopes) {
+        if !vary.curves.is_empty() || scope.by_point {
+            continue;
+        }
+        let images = scope.curves.iter().filter_map(|&curve| symmetry.image(curve));
+        let more: Vec<usize> = images.filter(|image| moving.insert(*image)).collect();
+        scope.curves.extend(more);
+        scope.panels = panels_of(design, vary, &scope.curves)?;
+    }
+    Ok(())
 }
 
 fn refuse_moved_twice(design: &Design, scopes: &[Scope]) -> Result<(), FairError> {
@@ -205,6 +247,7 @@ struct Problem<'a> {
     design: &'a Design,
     vary: &'a Vary,
     scope: &'a Scope,
+    symmetry: Option<&'a Symmetry>,
 }
 
 impl Problem<'_> {
@@ -226,7 +269,7 @@ impl Problem<'_> {
             }
         };
         let before = self.prepared(&design, watch)?;
-        let unknowns = Unknowns::new(&design, &self.scope.curves, &before);
+        let unknowns = Unknowns::new(&design, &self.scope.curves, &before, self.symmetry);
         let drawn = Drawn { problem: self, unknowns, design };
         let found = self.within_the_limit(&drawn, &before, watch).map_err(|e| self.failed(e))?;
         let is_moved = found.displacements.iter().any(|way| *way != Vec3::ZERO);

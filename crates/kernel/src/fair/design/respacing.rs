@@ -6,7 +6,7 @@
 //! the position. To stay at f L the sample slips along the curve by Σ (f G_k(end) − G_k(u)) · dP_k;
 //! and as it slips by ds, the derivative C' turns by C'' / |C'| ds.
 
-use crate::fair::Slip;
+use crate::fair::{Share, Slip};
 use sheetwright_geometry::curve::{Curve, NODES, SpanShares, derivative_shares};
 use sheetwright_geometry::math::{Vec3, unit};
 
@@ -26,7 +26,7 @@ pub(super) struct SlippingSample {
 pub(super) fn slips(
     curve: &Curve,
     spans: &[SpanShares],
-    unknown: &[Option<usize>],
+    follows: &[Option<Share>],
     places: &[(usize, usize, f64)],
 ) -> Vec<SlippingSample> {
     let m = curve.spans().len();
@@ -41,7 +41,7 @@ pub(super) fn slips(
         inside.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)).then(a.0.cmp(&b.0)));
         let mut walk =
             Walk { curve, spans, at: (stretch.start, 0.0), length_mm: 0.0, grown: Vec::new() };
-        walk.grown.resize(unknown.len(), Vec3::ZERO);
+        walk.grown.resize(follows.len(), Vec3::ZERO);
         let mut passed = Vec::with_capacity(inside.len());
         for (number, span, t) in inside {
             walk.go_to(span, t);
@@ -55,8 +55,9 @@ pub(super) fn slips(
             let (false, Some(along)) = (is_end, unit(derivative)) else { continue };
             let share = length_mm / walk.length_mm;
             let of_point = |(point, grown): (usize, Vec3)| {
-                let way = walk.grown[point] * share - grown;
-                unknown[point].filter(|_| way != Vec3::ZERO).map(|unknown| Slip { unknown, way })
+                let Share { unknown, factor } = follows[point]?;
+                let way = (walk.grown[point] * share - grown) * factor;
+                (way != Vec3::ZERO).then_some(Slip { unknown, way })
             };
             slipping.push(SlippingSample {
                 number,

@@ -1,6 +1,7 @@
 //! The points that move, as unknowns, and how samples follow them.
 
 use super::respacing::slips;
+use super::symmetry::{CurvePlace, IN_PLANE, MIRRORED, Symmetry};
 use crate::design::{Design, DesignCurve};
 use crate::fair::{Lean, Motion, Share, motions};
 use crate::sample::{OnCurve, Prepared, Sourced, kind_of_part};
@@ -23,8 +24,8 @@ struct MovingCurve {
     spans: Vec<SpanShares>,
     /// The positions of its points, mm.
     points: Vec<Vec3>,
-    /// The unknown of each point.
-    unknown: Vec<Option<usize>>,
+    /// The unknown that each point follows, and how; none of a point that stays.
+    follows: Vec<Option<Share>>,
     /// The distance that each point itself allows, mm.
     move_mm: Vec<f64>,
     /// The largest sum of absolute shares that a sample has in the points.
@@ -38,9 +39,14 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
-    /// Those of the points of these curves. Points on one spot are one; those on the spot of a
-    /// curve that stays, stay.
-    pub(super) fn new(design: &Design, moving: &BTreeSet<usize>, panels: &[Prepared]) -> Self {
+    /// Those of the points of these curves. Points on one spot are one, and so are mirror images of
+    /// one another; those on the spot of a curve that stays, stay.
+    pub(super) fn new(
+        design: &Design,
+        moving: &BTreeSet<usize>,
+        panels: &[Prepared],
+        symmetry: Option<&Symmetry>,
+    ) -> Self {
         let sources = || panels.iter().flat_map(|panel| &panel.sources);
         let all: BTreeSet<usize> = sources().filter_map(|s| Some(s.at?.curve)).collect();
         let size = size_of(sources().map(|s| s.sample.position));
@@ -59,8 +65,7 @@ impl Unknowns {
             spots.extend(points.map(|(n, point)| (number, n, point.at)));
         }
         spots.sort_by(|a, b| a.2.x.total_cmp(&b.2.x).then((a.0, a.1).cmp(&(b.0, b.1))));
-        // The first of each group of points on one spot stands for all.
-        let mut stands_for: Vec<usize> = (0..spots.len()).collect();
+        let mut alike = Alike::default();
         for n in 0..spots.len() {
             for other in n + 1..spots.len() {
                 if spots[other].2.x - spots[n].2.x > same_mm {
@@ -68,19 +73,18 @@ impl Unknowns {
                 }
                 let same_curve = spots[other].0 == spots[n].0;
                 if !same_curve && spots[other].2.distance(spots[n].2) <= same_mm {
-                    let (a, b) = (stands_for[n], stands_for[other]);
-                    stands_for.iter_mut().for_each(|s| *s = if *s == b { a } else { *s });
+                    let place = |n: usize| (spots[n].0, spots[n].1);
+                    alike.join([place(n), place(other)], false);
                 }
             }
         }
-        let stays: BTreeSet<usize> = (0..spots.len())
-            .filter(|&n| !moving.contains(&spots[n].0))
-            .map(|n| stands_for[n])
-            .collect();
-        let group: BTreeMap<(usize, usize), usize> =
-            spots.iter().enumerate().map(|(n, s)| ((s.0, s.1), stands_for[n])).collect();
+        for pair in symmetry.map_or_else(Vec::new, |symmetry| symmetry.pairs(design, moving)) {
+            alike.join(pair, true);
+        }
+        let classes = alike.classes(|place| !moving.contains(&place.0));
         let mut count = 0;
-        let mut of_group: BTreeMap<usize, usize> = BTreeMap::new();
+        // The first point of a class is its unknown.
+        let mut firsts: BTreeMap<usize, (usize, bool)> = BTreeMap::new();
         let mut curves = BTreeMap::new();
         for &number in moving {
             let curve = &design.curves[number];
@@ -88,14 +92,24 @@ impl Unknowns {
                 count += 1;
                 count - 1
             };
-            let unknown = (0..curve.points.len())
-                .map(|n| match group.get(&(number, n)) {
-                    None => Some(new()),
-                    Some(group) if stays.contains(group) => None,
-                    Some(group) => Some(*of_group.entry(*group).or_insert_with(&mut new)),
-                })
-                .collect();
-            curves.insert(number, MovingCurve::new(curve, unknown, sources(), number));
+            let mut share = |n: usize| -> Option<Share> {
+                let Some(place) = classes.places.get(&(number, n)) else {
+                    return Some(Share { unknown: new(), factor: Vec3::ONE });
+                };
+                let &Member { class, is_image } = place;
+                if classes.stay.contains(&class) {
+                    return None;
+                }
+                let (unknown, of_image) = *firsts.entry(class).or_insert_with(|| (new(), is_image));
+                let factor = match classes.in_plane.contains(&class) {
+                    true => IN_PLANE,
+                    false if is_image == of_image => Vec3::ONE,
+                    false => MIRRORED,
+                };
+                Some(Share { unknown, factor })
+            };
+            let follows = (0..curve.points.len()).map(&mut share).collect();
+            curves.insert(number, MovingCurve::new(curve, follows, sources(), number));
         }
         Self { curves, count }
     }
@@ -105,7 +119,7 @@ impl Unknowns {
         let sources = || panels.iter().flat_map(|panel| &panel.sources);
         let anew = |(&number, curve): (&usize, &MovingCurve)| {
             let drawn = &design.curves[number];
-            (number, MovingCurve::new(drawn, curve.unknown.clone(), sources(), number))
+            (number, MovingCurve::new(drawn, curve.follows.clone(), sources(), number))
         };
         Self { curves: self.curves.iter().map(anew).collect(), count: self.count }
     }
@@ -130,8 +144,8 @@ impl Unknowns {
     pub(super) fn radii_mm(&self, limit_mm: Option<f64>, by_point: bool) -> Vec<f64> {
         let mut radii = vec![f64::INFINITY; self.count];
         for curve in self.curves.values() {
-            for (unknown, move_mm) in curve.unknown.iter().zip(&curve.move_mm) {
-                let Some(radius) = unknown.and_then(|unknown| radii.get_mut(unknown)) else {
+            for (share, move_mm) in curve.follows.iter().zip(&curve.move_mm) {
+                let Some(radius) = share.and_then(|share| radii.get_mut(share.unknown)) else {
                     continue;
                 };
                 if let Some(limit_mm) = limit_mm {
@@ -149,9 +163,9 @@ impl Unknowns {
     pub(super) fn moved(&self, design: &Design, displacements: &[Vec3]) -> Design {
         let mut moved = design.clone();
         for (&number, curve) in &self.curves {
-            for (point, unknown) in moved.curves[number].points.iter_mut().zip(&curve.unknown) {
+            for (point, share) in moved.curves[number].points.iter_mut().zip(&curve.follows) {
                 // A point that stays keeps its bits.
-                if let Some(way) = unknown.map(|unknown| displacements[unknown])
+                if let Some(way) = share.map(|share| displacements[share.unknown] * share.factor)
                     && way != Vec3::ZERO
                 {
                     point.at += way;
@@ -194,7 +208,7 @@ impl Unknowns {
                 Some((n, place.span, place.t))
             });
             let places: Vec<(usize, usize, f64)> = on_it.collect();
-            for slipping in slips(curve, &moving.spans, &moving.unknown, &places) {
+            for slipping in slips(curve, &moving.spans, &moving.follows, &places) {
                 let motion = &mut motions[slipping.number];
                 let reversed = panel.sources[slipping.number].at.is_some_and(|p| p.reversed);
                 let bend = if reversed { -slipping.bend } else { slipping.bend };
@@ -213,10 +227,7 @@ impl Unknowns {
         match curve.spans.get(place.span) {
             Some(span) => curve.shares(&position_shares(span, place.t)),
             // The point is the sample.
-            None => {
-                let unknown = curve.unknown[place.span];
-                unknown.map(|unknown| Share { unknown, factor: 1.0 }).into_iter().collect()
-            }
+            None => curve.follows[place.span].into_iter().collect(),
         }
     }
 }
@@ -224,7 +235,7 @@ impl Unknowns {
 impl MovingCurve {
     fn new<'a>(
         curve: &DesignCurve,
-        unknown: Vec<Option<usize>>,
+        follows: Vec<Option<Share>>,
         sources: impl Iterator<Item = &'a Sourced>,
         number: usize,
     ) -> Self {
@@ -243,18 +254,18 @@ impl MovingCurve {
         let most_shares = on_it.map(sum_of_shares).fold(1.0, f64::max);
         let points = curve.points.iter().map(|point| point.at.to_vec()).collect();
         let move_mm = curve.points.iter().map(|point| point.move_mm).collect();
-        Self { curve: drawn, spans, points, unknown, move_mm, most_shares }
+        Self { curve: drawn, spans, points, follows, move_mm, most_shares }
     }
 
     /// Shares of the unknowns, from those of the points; points that stay have none.
     fn shares(&self, of_points: &[PointShare]) -> Vec<Share> {
-        let mut by_unknown: BTreeMap<usize, f64> = BTreeMap::new();
+        let mut by_unknown: BTreeMap<usize, Vec3> = BTreeMap::new();
         for share in of_points {
-            if let Some(unknown) = self.unknown[share.point] {
-                *by_unknown.entry(unknown).or_default() += share.factor;
+            if let Some(Share { unknown, factor }) = self.follows[share.point] {
+                *by_unknown.entry(unknown).or_default() += factor * share.factor;
             }
         }
-        let some = by_unknown.into_iter().filter(|(_, factor)| *factor != 0.0);
+        let some = by_unknown.into_iter().filter(|(_, factor)| *factor != Vec3::ZERO);
         some.map(|(unknown, factor)| Share { unknown, factor }).collect()
     }
 
@@ -272,6 +283,68 @@ impl MovingCurve {
             shares: self.shares(&along),
             bend: Vec3::ZERO,
         })
+    }
+}
+
+/// Which points move alike.
+#[derive(Default)]
+struct Alike {
+    /// The points that each moves alike with, and whether as its mirror image.
+    with: BTreeMap<CurvePlace, Vec<(CurvePlace, bool)>>,
+}
+
+/// The classes of points that move alike.
+struct Classes {
+    places: BTreeMap<CurvePlace, Member>,
+    /// The classes with a point that is its own mirror image.
+    in_plane: BTreeSet<usize>,
+    /// The classes with a point that stays.
+    stay: BTreeSet<usize>,
+}
+
+/// A point in its class.
+#[derive(Clone, Copy)]
+struct Member {
+    class: usize,
+    /// Whether it is the mirror image of the first.
+    is_image: bool,
+}
+
+impl Alike {
+    fn join(&mut self, [a, b]: [CurvePlace; 2], is_image: bool) {
+        self.with.entry(a).or_default().push((b, is_image));
+        self.with.entry(b).or_default().push((a, is_image));
+    }
+
+    fn classes(&self, stays: impl Fn(CurvePlace) -> bool) -> Classes {
+        let (places, in_plane, stay) = (BTreeMap::new(), BTreeSet::new(), BTreeSet::new());
+        let mut classes = Classes { places, in_plane, stay };
+        for (class, &first) in self.with.keys().enumerate() {
+            if classes.places.contains_key(&first) {
+                continue;
+            }
+            classes.places.insert(first, Member { class, is_image: false });
+            let mut left = vec![(first, false)];
+            while let Some((place, own)) = left.pop() {
+                if stays(place) {
+                    classes.stay.insert(class);
+                }
+                for &(other, turned) in &self.with[&place] {
+                    let is_image = own != turned;
+                    match classes.places.get(&other) {
+                        None => {
+                            classes.places.insert(other, Member { class, is_image });
+                            left.push((other, is_image));
+                        }
+                        Some(known) if known.is_image != is_image => {
+                            classes.in_plane.insert(class);
+                        }
+                        Some(_) => {}
+                    }
+                }
+            }
+        }
+        classes
     }
 }
 
@@ -334,7 +407,8 @@ mod tests {
         {
             let design = leaf(kind);
             let before = prepared(&design);
-            let unknowns = Unknowns::new(&design, &BTreeSet::from([0, 1]), &[prepared(&design)]);
+            let unknowns =
+                Unknowns::new(&design, &BTreeSet::from([0, 1]), &[prepared(&design)], None);
             assert_eq!(unknowns.count, 16, "the ends are shared");
             let motions = unknowns.motions(&before);
             let missed = |long: f64| {
