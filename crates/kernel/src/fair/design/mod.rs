@@ -4,9 +4,9 @@
 //! The unknowns are the displacements of the points of curves, so that a spline of a dozen points
 //! stays one, and the result is an ordinary design: [`varied_design`] turns a design into a design.
 //! Points on one spot, such as the ends of curves that meet, are one unknown, and so is a curve
-//! that several panels share. Points that are mirror images in a design that is its own mirror image
-//! are one unknown, too, which moves the one and mirrored the other ([`symmetry`]). With [`MovedBy::Samples`] a curve first gets as many points as it has
-//! samples.
+//! that several panels share. Points that are mirror images in a design that is its own mirror
+//! image are one unknown, too, which moves the one and mirrored the other ([`symmetry`]). With
+//! [`MovedBy::Samples`] a curve first gets as many points as it has samples.
 //!
 //! Between two triangulations the places of the samples on their curves are held, and so are the
 //! chord lengths of splines; then samples and tangents are linear in the points
