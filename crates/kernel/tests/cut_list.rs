@@ -2,13 +2,19 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::design::{Allowance, Corner, Design, Holes, Trim, TrimKind, TrimOn};
+use sheetwright::design::{
+    Allowance, Corner, Design, DesignPanel, Holes, PanelMesh, PanelShape, Triangles, Trim,
+    TrimKind, TrimOn,
+};
 use sheetwright::make::{CutItem, Made, make};
 use sheetwright::math::{Point2, Point3, Vec2, cos, sin};
+use sheetwright::mesh::Mesh;
 use sheetwright::pattern::{PathKind, Piece, Role, alike};
 use sheetwright::template::template;
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::low_poly::animal;
 use sheetwright_shapes::random::Random;
+use sheetwright_shapes::solids::prism;
 use std::f64::consts::TAU;
 
 fn design(name: &str) -> Design {
@@ -43,6 +49,32 @@ fn equal_parts_of_templates_are_cut_from_one_pattern() {
     assert_eq!(of("facade"), named(&[("panel-1", 2, 1), ("panel-2", 2, 1), ("panel-3", 2, 1)]));
     assert_eq!(of("bag"), named(&[("front", 2, 0), ("gusset", 1, 0)]));
     assert_eq!(of("dinghy"), named(&[("bottom", 2, 1), ("side", 2, 1), ("transom", 1, 0)]));
+}
+
+/// Meshes whose facets are folded, each a panel, in pieces of at most this size, mm.
+fn nets(meshes: &[Mesh], within: [f64; 2]) -> Made {
+    let panel = |(n, mesh): (usize, &Mesh)| {
+        let (positions, triangles) = (mesh.positions().to_vec(), mesh.triangles().to_vec());
+        let triangles = Triangles { positions, triangles, left_out: 0 };
+        let settings = PanelMesh {
+            facets: Some(true),
+            pieces_within_mm: Some(within),
+            ..PanelMesh::new(triangles)
+        };
+        DesignPanel::new(&format!("net-{n}"), PanelShape::Mesh(settings), 0)
+    };
+    made(&Design { panels: meshes.iter().enumerate().map(panel).collect(), ..Design::default() })
+}
+
+/// A symmetric model has pieces that are the mirror images of others, but turned over their
+/// mountains would be valleys, and marks say where each piece goes.
+#[test]
+fn pieces_of_one_net_do_not_replace_one_another() {
+    let bear = nets(&[animal().mesh()], [150.0, 110.0]);
+    assert!(bear.parts.len() > 4, "{}", bear.parts.len());
+    assert!(bear.cut_list().iter().all(|item| item.instances.len() == 1));
+    let prisms = nets(&[prism(6, 20.0).mesh(), prism(6, 20.0).mesh()], [1e4, 1e4]);
+    assert_eq!(list(&prisms), named(&[("net-0", 2, 0)]));
 }
 
 /// A piece turned, moved, and maybe turned over.

@@ -318,6 +318,25 @@ fn cylinders_and_cones_bend_with_noise_and_without() {
     assert_eq!(verdict(&part), Verdict::Bends, "{}", strain(&part));
 }
 
+/// A shop rolls to the radius that it reads: that of the pipe, however it was divided.
+#[test]
+fn half_a_pipe_is_rolled_to_its_radius() {
+    for radius in [100.0, 300.0] {
+        for (columns, rows) in [(24, 1), (24, 6), (48, 10)] {
+            for cut in [Cut::Forth, Cut::InTurn] {
+                let (positions, triangles) = grid([columns, rows], cut, |x, y| {
+                    let angle = 0.5 * TAU * x;
+                    Point3::new(radius * cos(angle), radius * sin(angle), 3.0 * radius * y)
+                });
+                let part = made(positions, triangles, Some(steel(1.0)));
+                assert_eq!(verdict(&part), Verdict::Roll);
+                let found = 1.0 / part.predicted.unwrap().curvature;
+                assert!((found / radius - 1.0).abs() < 0.01, "{columns} {rows} {cut:?} {found}");
+            }
+        }
+    }
+}
+
 /// A ribbon of this length, 1 mm wide, wound round a cylinder of 20 mm, turn beside turn.
 fn ribbon(length: f64) -> Part {
     let (positions, triangles) = grid([length as usize, 1], Cut::Forth, |along, across| {

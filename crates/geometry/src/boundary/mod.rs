@@ -101,6 +101,8 @@ pub enum BoundaryError {
         other_loop: usize,
         /// The sample that the second edge begins at.
         other: usize,
+        /// Where the first edge begins, mm.
+        near: Point3,
     },
 }
 
@@ -143,18 +145,15 @@ impl fmt::Display for BoundaryError {
             Self::BoundsNothing { of_loop } => {
                 write!(f, "{} runs back along itself and bounds nothing", name(of_loop))
             }
-            Self::Crossing { of_loop, sample, other_loop, other } if of_loop == other_loop => {
-                let name = name(of_loop);
-                write!(f, "{name} crosses itself after samples {} and {}", sample + 1, other + 1)
+            Self::Crossing { of_loop, sample, other_loop, other, near } => {
+                write!(f, "{} crosses ", name(of_loop))?;
+                match of_loop == other_loop {
+                    true => write!(f, "itself")?,
+                    false => write!(f, "{}", name(other_loop))?,
+                }
+                write!(f, " after samples {} and {}, ", sample + 1, other + 1)?;
+                write!(f, "near ({:.1}, {:.1}, {:.1}) mm", near.x, near.y, near.z)
             }
-            Self::Crossing { of_loop, sample, other_loop, other } => write!(
-                f,
-                "{} crosses {} after samples {} and {}",
-                name(of_loop),
-                name(other_loop),
-                sample + 1,
-                other + 1
-            ),
         }
     }
 }
@@ -420,7 +419,13 @@ mod tests {
         assert_eq!(refused(&[[0.0; 3], [1.0; 3], [3.0; 3], [2.0; 3]]), E::OnOneLine { of_loop: 0 });
         assert_eq!(
             refused(&[SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]]),
-            E::Crossing { of_loop: 0, sample: 0, other_loop: 0, other: 2 }
+            E::Crossing {
+                of_loop: 0,
+                sample: 0,
+                other_loop: 0,
+                other: 2,
+                near: Point3::new(0.0, 0.0, 0.0)
+            }
         );
         let there_and_back = [0, 1, 2, 3, 2, 1].map(|i| SQUARE[i]);
         assert_eq!(refused(&there_and_back), E::BoundsNothing { of_loop: 0 });

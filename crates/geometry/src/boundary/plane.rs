@@ -2,7 +2,7 @@
 //! may demand a surface that lies over that plane like a roof over its floor plan.
 
 use super::Boundary;
-use crate::math::{Frame, Point2, Vec3, unit};
+use crate::math::{Frame, Point2, Point3, Vec3, unit};
 use crate::predicate::{first_crossing_of_loops, inside, signed_area_doubled};
 use crate::tolerance::Tolerance;
 use std::fmt;
@@ -41,6 +41,8 @@ pub enum PlaneError {
         sample: usize,
         /// The sample that the second edge begins at.
         other: usize,
+        /// Where the first edge begins, mm.
+        near: Point3,
     },
     /// Projected on the plane, a hole lies outside the outer loop, or inside another hole.
     HoleOutside {
@@ -53,12 +55,11 @@ impl fmt::Display for PlaneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoDirection => write!(f, "the plane's normal has no direction"),
-            Self::Crossing { sample, other } => write!(
-                f,
-                "seen along the plane's normal, the boundary crosses itself after samples {} and {}",
-                sample + 1,
-                other + 1
-            ),
+            Self::Crossing { sample, other, near } => {
+                write!(f, "seen along the plane's normal, the boundary crosses itself after ")?;
+                write!(f, "samples {} and {}, near ", sample + 1, other + 1)?;
+                write!(f, "({:.1}, {:.1}, {:.1}) mm", near.x, near.y, near.z)
+            }
             Self::HoleOutside { hole } => {
                 write!(f, "seen along the plane's normal, hole {hole} lies outside the panel")
             }
@@ -109,7 +110,8 @@ fn project(boundary: &Boundary, normal: Vec3) -> Result<SupportingPlane, PlaneEr
         boundary.samples().iter().map(|s| frame.project(s.position)).collect();
     let loops = boundary.loops();
     if let Some((sample, other)) = first_crossing_of_loops(&projected, loops) {
-        return Err(PlaneError::Crossing { sample, other });
+        let near = boundary.samples()[sample].position;
+        return Err(PlaneError::Crossing { sample, other, near });
     }
     for hole in 1..loops.len() {
         // Loops that do not cross lie wholly inside or outside one another.

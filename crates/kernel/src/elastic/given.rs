@@ -36,7 +36,7 @@ use crate::measure::{Distortion, area_flat};
 use crate::mesh::{Mesh, crease_angles, scored_creases};
 use crate::sheet::{Sheet, split_at};
 use sheetwright_geometry::boundary::size_of;
-use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::angle_between;
 use sheetwright_geometry::watch::Watch;
 use std::borrow::Cow;
@@ -88,8 +88,9 @@ pub fn predict_given(
     let reading = reading_of(folded.mesh());
     let curvature = curvature_of(&folded, &flat, reading);
     let limits = limits_at(curvature);
-    let warped = if is_strip(folded.mesh()) { warp_squared(folded.mesh()) } else { 0.0 };
-    let is_developable = strain <= EASY_SHARE * limits.strain && is_developable(&limits, warped);
+    let warp = if is_strip(folded.mesh()) { least_warp(folded.mesh()) } else { 0.0 };
+    let is_flat = strain <= EASY_SHARE * limits.strain;
+    let is_developable = is_flat && is_developable(&limits, warp * warp);
     let given = Given {
         sheet: &folded,
         flat: &flat,
@@ -339,24 +340,30 @@ fn folded<'a>(
     }
 }
 
-/// The curvature that 95 % of the area of a surface stays below, 1/mm: on a net, or by its creases
-/// where there is none. Of two triangles that meet in a crease, it turns by the angle over half of
-/// the width of both, which is their area over the length of the crease.
+/// The curvature that 95 % of the area of a surface stays below, 1/mm: the lesser of that on a net,
+/// which curls by up to a tenth more at facets and beside its border, and of that by its creases,
+/// which tells too much where sides run askew to the bend, or points are off the surface.
 fn curvature_of(sheet: &Sheet, flat: &Flattened, reading: Reading) -> f64 {
-    curvature_of_surface(sheet, flat, reading).unwrap_or_else(|| {
-        let mesh = sheet.mesh();
-        let (mut curvatures, mut areas) = (Vec::new(), Vec::new());
-        let turns = crease_angles(mesh).into_iter().zip(scored_creases(mesh));
-        for (edge, (turn, scored)) in mesh.edges().iter().zip(turns) {
-            let [Some(a), Some(b)] = edge.triangles else { continue };
-            let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
-            let [from, to] = edge.ends.map(|v| mesh.position(v));
-            let bent = if scored > 0.0 { 0.0 } else { turn };
-            curvatures.push(bent * from.distance(to) / area);
-            areas.push(area);
-        }
-        at_share(&curvatures, &areas, DECIDES)
-    })
+    let by_creases = curvature_by_creases(sheet.mesh());
+    let on_net = curvature_of_surface(sheet, flat, reading);
+    on_net.map_or(by_creases, |on_net| on_net.min(by_creases))
+}
+
+/// The curvature that 95 % of the area of a mesh stays below, by its creases, 1/mm. Of two
+/// triangles that meet in a crease, it turns by the angle over half of the width of both, which is
+/// their area over the length of the crease.
+fn curvature_by_creases(mesh: &Mesh) -> f64 {
+    let (mut curvatures, mut areas) = (Vec::new(), Vec::new());
+    let turns = crease_angles(mesh).into_iter().zip(scored_creases(mesh));
+    for (edge, (turn, scored)) in mesh.edges().iter().zip(turns) {
+        let [Some(a), Some(b)] = edge.triangles else { continue };
+        let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
+        let [from, to] = edge.ends.map(|v| mesh.position(v));
+        let bent = if scored > 0.0 { 0.0 } else { turn };
+        curvatures.push(bent * from.distance(to) / area);
+        areas.push(area);
+    }
+    at_share(&curvatures, &areas, DECIDES)
 }
 
 /// What the formula predicts of a strip, whose lengths the pattern keeps.
@@ -370,17 +377,38 @@ fn strip_by_formula(
     Predicted { basis, ..by_formula(limits, curvature, warp_squared(sheet.mesh())) }
 }
 
-/// The mean square of the warp of a strip, radians²: its facing turns by the warp from end to end
-/// of a side between two of its triangles.
-fn warp_squared(mesh: &Mesh) -> f64 {
+/// The warp of every side between two triangles, by which the facing turns from its one end to the
+/// other, radians; 0 on the border.
+fn warps(mesh: &Mesh) -> Vec<f64> {
     let facing = facing(mesh);
+    let warp = |[a, b]: [VertexIndex; 2]| angle_between(facing[a.get()], facing[b.get()]);
+    let is_within = |sides: &[Option<TriangleIndex>; 2]| sides.iter().all(Option::is_some);
+    let edges = mesh.edges().iter();
+    edges.map(|edge| if is_within(&edge.triangles) { warp(edge.ends) } else { 0.0 }).collect()
+}
+
+/// The mean square of the warp of a strip, radians².
+fn warp_squared(mesh: &Mesh) -> f64 {
     let (mut squares, mut whole) = (0.0, 0.0);
-    for edge in mesh.edges() {
+    for (edge, warp) in mesh.edges().iter().zip(warps(mesh)) {
         let [Some(a), Some(b)] = edge.triangles else { continue };
         let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
-        let warp = angle_between(facing[edge.ends[0].get()], facing[edge.ends[1].get()]);
         squares += area * warp * warp;
         whole += area;
     }
     if whole > 0.0 { squares / whole } else { 0.0 }
+}
+
+/// The warp that 95 % of the area of a strip stays below, radians, where each triangle has the
+/// least of its sides: one that runs askew to the rulings has the bend between its ends in it.
+fn least_warp(mesh: &Mesh) -> f64 {
+    let (warps, edges) = (warps(mesh), mesh.edges());
+    let is_within = |n: &usize| edges[*n].triangles.iter().all(Option::is_some);
+    let triangles = (0..mesh.triangles().len()).map(TriangleIndex::new);
+    let least = triangles.clone().map(|triangle| {
+        let sides = mesh.topology().edges_of(triangle).into_iter().filter(is_within);
+        sides.map(|n| warps[n]).reduce(f64::min).unwrap_or(0.0)
+    });
+    let areas: Vec<f64> = triangles.map(|t| mesh.area_vector(t).length()).collect();
+    at_share(&least.collect::<Vec<_>>(), &areas, DECIDES)
 }

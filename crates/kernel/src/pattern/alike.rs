@@ -5,12 +5,15 @@
 //! first corner of the first outline only if the sequences of distances agree from there on. For
 //! each such corner, the rotation is found by least squares, and every corner must then lie on its
 //! partner. So must everything else that is done to the sheet: holes, folds, notches, ticks. Names
-//! and lengths may differ; what a trim or a mark writes may not.
+//! and lengths may differ; what a trim or a mark writes may not. Nor may the marks of joints on the
+//! pieces of nets, which alone say where a piece goes; and no such piece serves turned over, since
+//! its mountains would be valleys.
 //!
 //! Equal outlines may still be bent to different shapes, so their borders in space are compared,
 //! too, corner by corner. Bend lines are not: where one border has two equally good surfaces, such
 //! as one and its mirror image, either serves.
 
+use super::seam::is_joint_mark;
 use super::settle::tick_of;
 use super::{LabelKind, PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3, unit};
@@ -91,12 +94,16 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
     if of_a.len() != of_b.len() || of_a.len() < 3 {
         return None;
     }
+    let is_net = is_of_net(a) || is_of_net(b);
+    if is_net && joints(a) != joints(b) {
+        return None;
+    }
     let (spots_a, spots_b) = (spots(a), spots(b));
     let (lines_a, lines_b) = (lines(a), lines(b));
     if texts(a) != texts(b) || spots_a.len() != spots_b.len() || lines_a.len() != lines_b.len() {
         return None;
     }
-    [false, true].into_iter().find_map(|is_mirror| {
+    [false, true].into_iter().filter(|is_mirror| !(is_net && *is_mirror)).find_map(|is_mirror| {
         motions(of_a, of_b, is_mirror, within_mm).find_map(|motion| {
             let moved: Vec<Line> = lines_a.iter().map(|line| line.moved(&motion)).collect();
             let to_partner = |(done, p): &(Spot<'_>, Point2)| {
@@ -166,6 +173,20 @@ fn corners_off_mm(lines: &[Line], others: &[Line]) -> impl Iterator<Item = f64> 
             others.map(|other| other.distance(p)).fold(f64::INFINITY, f64::min)
         })
     })
+}
+
+/// Whether a piece is one of a net of facets.
+fn is_of_net(piece: &Piece) -> bool {
+    piece.paths.iter().any(|path| matches!(path.kind, PathKind::Fold { .. }))
+}
+
+/// The marks of its joints with other pieces, in order.
+fn joints(piece: &Piece) -> Vec<&str> {
+    let marks = piece.labels.iter().filter(|label| label.kind == LabelKind::Mark);
+    let mut joints: Vec<&str> =
+        marks.map(|label| &label.text[..]).filter(|mark| is_joint_mark(mark)).collect();
+    joints.sort_unstable();
+    joints
 }
 
 /// What marks on the face of a piece say, in order. Where they say it is where there is room.

@@ -30,6 +30,11 @@ pub(crate) fn joint_mark(n: usize) -> String {
     format!("J{}", n + 1)
 }
 
+/// Whether a mark is that of a seam between two parts.
+pub(super) fn is_joint_mark(mark: &str) -> bool {
+    mark.starts_with('J')
+}
+
 /// A way along the border of a part that is marked: a side of a cut, or where the part is joined to
 /// another.
 #[derive(Clone, Debug, PartialEq, Eq)]

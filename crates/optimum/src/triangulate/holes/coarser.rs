@@ -5,11 +5,13 @@
 //! there that the best surface has not. So the ring of about every second sample is triangulated
 //! first (from a quarter of the samples, if it is large itself, and so on), and all samples are cut
 //! where that surface has its cheapest rung. Solvers of differential equations begin on coarser
-//! grids likewise, which they call nested iteration.
+//! grids likewise, which they call nested iteration. Far from developable, few samples tell little
+//! of the surface of many, and the shortest rung does as well.
 
-use super::super::{Solved, Terms, TriangulateError};
+use super::super::{Method, Solved, Terms, TriangulateError};
 use super::chains::{Chains, Spot};
-use super::{Part, polygon, solve};
+use super::{Part, WORTH_A_BOUND, outcome, polygon, solve};
+use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
@@ -17,10 +19,13 @@ use std::ops::Range;
 const THINNING: usize = 2;
 /// Corners are kept while there are at most as many as one in so many samples.
 const SAMPLES_A_CORNER: usize = 8;
+/// Loops of fewer samples are not thinned: they hardly have the shape of all.
+const LEAST_SAMPLES: usize = 12;
 /// The share of the remaining work for the ring of fewer samples.
 const SHARE: f64 = 0.25;
 
-/// The triangulation of a ring of two loops; `None` if none is found up to `bound`.
+/// The triangulation of a ring of two loops; `None` if none is found up to `bound`, where the ring
+/// is far from developable, and where no work is left or there are few samples already.
 pub(super) fn first(
     chains: &Chains<'_>,
     bound: f64,
@@ -35,13 +40,17 @@ pub(super) fn first(
     polygon::solve_simple(&chains.with_cut(p, q), bound, &mut Part::new(watch, 0.5..1.0))
 }
 
-/// The cheapest rung that joins the loops in the triangulation of fewer samples.
+/// The cheapest rung that joins the loops in the triangulation of fewer samples; `None` if that is
+/// dear.
 fn cheapest_join(
     chains: &Chains<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<[Spot; 2]>, TriangulateError> {
     let terms = chains.terms;
     let kept = [0, 1].map(|chain| kept(chains, chain));
+    if chains.work.left() == 0 || kept.iter().any(|kept| kept.len() < LEAST_SAMPLES) {
+        return Ok(None);
+    }
     let samples: Vec<usize> =
         [0, 1].iter().flat_map(|&c| kept[c].iter().map(move |&at| chains.chains[c][at])).collect();
     let outer = kept[0].len();
@@ -53,7 +62,12 @@ fn cheapest_join(
     let Some(found) = solve(&thinned, None, &loops, f64::INFINITY, work, watch)? else {
         return Ok(None);
     };
-    let sides = found.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let found = outcome(&thinned, found, Method::Optimal);
+    if found.price >= WORTH_A_BOUND {
+        return Ok(None);
+    }
+    let corners = found.triangles.iter().map(|triangle| triangle.map(SampleIndex::get));
+    let sides = corners.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
     let joins = sides.filter(|[a, b]| *a < outer && outer <= *b);
     let price = |[a, b]: [usize; 2]| (thinned.side(a, b).price, prices.length(a, b));
     let least = joins.min_by(|&one, &other| {

@@ -92,15 +92,20 @@ fn of_ring(
     watch: &mut dyn Watch,
 ) -> Result<Option<Found>, TriangulateError> {
     // A large table is filled once; its result stands unless the search finds a better one.
-    let is_large = polygon::is_large(chains, chains.len(0) + chains.len(1) + 2);
+    let places = chains.len(0) + chains.len(1) + 2;
+    let is_large = polygon::is_large(chains, places);
     let worth = if is_large { bound } else { bound.min(WORTH_A_BOUND) };
     let part = &mut Part::new(watch, 0.0..0.1);
+    // Where few samples tell little, the shortest cut may be better: a table is spent on that if
+    // there is work for one.
+    let is_affordable = polygon::is_affordable(chains, places);
     let mut first = None;
     if is_large && !chains.has_plane() {
         first = coarser::first(chains, bound, part)?;
     }
-    if first.is_none() {
-        first = search::first(chains, worth, part)?;
+    if first.is_none() || is_affordable {
+        let known = first.as_ref().map_or(worth, |first| first.price.min(worth));
+        first = search::first(chains, known, part)?.or(first);
     }
     let limit = first.as_ref().map_or(bound, |first| first.price.min(bound));
     let part = &mut Part::new(watch, 0.1..1.0);

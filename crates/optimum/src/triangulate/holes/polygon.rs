@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 
 /// Steps for a sum of the table with folds, on a chain.
 const FOLDED_SUM: u64 = 10;
+/// So many tables are several: two surfaces are tried, and a search is to follow.
+const SEVERAL: u64 = 3;
 /// A table is large if it takes more than the remaining work divided by this.
 const LARGE: u64 = 4;
 
@@ -155,6 +157,11 @@ fn solve(
 /// Least work of a table on a chain of so many places, steps: each of its sums.
 fn least_steps(places: usize) -> u64 {
     (places as u64).pow(3) / 6
+}
+
+/// Whether the remaining work suffices for several tables on a chain of so many places.
+pub(super) fn is_affordable(chains: &Chains<'_>, places: usize) -> bool {
+    SEVERAL * least_steps(places) <= chains.work.left()
 }
 
 /// Most work of a table on a chain of so many places, steps.
