@@ -61,7 +61,7 @@ fn nets(meshes: &[Mesh], within: [f64; 2]) -> Made {
             pieces_within_mm: Some(within),
             ..PanelMesh::new(triangles)
         };
-        DesignPanel::new(&format!("net-{n}"), PanelShape::Mesh(settings), 0)
+        DesignPanel::new(format!("net-{n}"), PanelShape::Mesh(settings), 0)
     };
     made(&Design { panels: meshes.iter().enumerate().map(panel).collect(), ..Design::default() })
 }

@@ -72,9 +72,9 @@ fn a_finding_reads_well() {
              either side. Make the tabs narrower, or glue it edge to edge. ()",
             "There is room for full tabs along 20 % of the seam fox-1/S12, on either side. Make the \
              tabs narrower, or glue it edge to edge. ()",
-            "There is room for full tabs along less than half of 10 joints, on either side, of one \
-             along 20 % of it: fox-1/S1, fox-1/S2, fox-1/S3, fox-1/S4, fox-1/S5, fox-1/S6 and 4 \
-             more. Make the tabs narrower, or glue them edge to edge. ()",
+            "There is room for full tabs along less than half of 10 joints, on either side, and \
+             along 20 % of the worst: fox-1/S1, fox-1/S2, fox-1/S3, fox-1/S4, fox-1/S5, fox-1/S6 and \
+             4 more. Make the tabs narrower, or glue them edge to edge. ()",
         ]
     );
     assert_eq!(

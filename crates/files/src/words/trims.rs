@@ -58,8 +58,8 @@ fn no_room_for_tabs(joints: &[[String; 2]], covered: f64) -> String {
         more => format!(" and {more} more"),
     };
     format!(
-        "There is room for full tabs along less than half of {} joints, on either side, of one along \
-         {per_cent:.0} % of it: {}{more}. Make the tabs narrower, or glue them edge to edge.",
+        "There is room for full tabs along less than half of {} joints, on either side, and along \
+         {per_cent:.0} % of the worst: {}{more}. Make the tabs narrower, or glue them edge to edge.",
         joints.len(),
         shown.join(", ")
     )

@@ -101,8 +101,8 @@ pub enum BoundaryError {
         other_loop: usize,
         /// The sample that the second edge begins at.
         other: usize,
-        /// Where the first edge begins, mm.
-        near: Point3,
+        /// Where the first edge begins, mm; boxed, since errors are small.
+        near: Box<Point3>,
     },
 }
 
@@ -145,7 +145,7 @@ impl fmt::Display for BoundaryError {
             Self::BoundsNothing { of_loop } => {
                 write!(f, "{} runs back along itself and bounds nothing", name(of_loop))
             }
-            Self::Crossing { of_loop, sample, other_loop, other, near } => {
+            Self::Crossing { of_loop, sample, other_loop, other, ref near } => {
                 write!(f, "{} crosses ", name(of_loop))?;
                 match of_loop == other_loop {
                     true => write!(f, "itself")?,
@@ -424,7 +424,7 @@ mod tests {
                 sample: 0,
                 other_loop: 0,
                 other: 2,
-                near: Point3::new(0.0, 0.0, 0.0)
+                near: Box::new(Point3::new(0.0, 0.0, 0.0))
             }
         );
         let there_and_back = [0, 1, 2, 3, 2, 1].map(|i| SQUARE[i]);

@@ -38,7 +38,7 @@ pub(super) fn refuse_touching(boundary: &Boundary) -> Result<(), BoundaryError> 
             sample: other,
             other_loop: of_loop,
             other: sample,
-            near: edges.at(i),
+            near: Box::new(edges.at(i)),
         }
     })
 }
