@@ -20,7 +20,7 @@ pub use relax::{Aim, Ended, RelaxError, RelaxOptions, Relaxed, relax, relax_leng
 pub(crate) use beside::{Beside, shares};
 pub(crate) use face::{LaidFace, laid_face};
 pub(crate) use motion::Motion;
-pub(crate) use pose::{convex_hull, fits_in, fits_in_with, long_side, posed};
+pub(crate) use pose::{convex_hull, fits_in, fits_in_with, is_no_larger, long_side, posed};
 pub(crate) use relax::{conformal_scales, laid_at, triangle_stretches};
 pub use unfold::unfold;
 pub use unroll::unroll;

@@ -9,6 +9,9 @@ use sheetwright_geometry::math::{Point2, Vec2, unit2};
 use sheetwright_geometry::predicate::{Box2, orientation};
 use std::ops::Range;
 
+/// Sizes are rounded by this share of those that they may have.
+const ROUNDING: f64 = 1e-9;
+
 /// The points turned and moved, not mirrored, so that those of the loop lie as told above.
 pub(crate) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
     let along = least_rectangle(&points[of_loop.clone()]).1;
@@ -20,10 +23,8 @@ pub(crate) fn posed(points: &[Point2], of_loop: &Range<usize>) -> Vec<Point2> {
 
 /// Whether points that are laid so lie within a rectangle of this width and height, mm, either way
 /// round.
-pub(crate) fn fits_in(points: &[Point2], [width, height]: [f64; 2]) -> bool {
-    let size = least_rectangle(points).0;
-    let rounding = 1e-9 * (width + height);
-    size.x <= width.max(height) + rounding && size.y <= width.min(height) + rounding
+pub(crate) fn fits_in(points: &[Point2], within_mm: [f64; 2]) -> bool {
+    is_no_larger(least_rectangle(points).0, within_mm, ROUNDING)
 }
 
 /// Whether points that are laid so lie within a rectangle of this width and height, mm, either way
@@ -31,19 +32,23 @@ pub(crate) fn fits_in(points: &[Point2], [width, height]: [f64; 2]) -> bool {
 pub(crate) fn fits_in_with(
     points: &[Point2],
     (reach_mm, others): (f64, impl FnOnce() -> Vec<Point2>),
-    [width, height]: [f64; 2],
+    within_mm: [f64; 2],
 ) -> bool {
     let (size, along) = least_rectangle(points);
-    let rounding = 1e-9 * (width + height);
-    let fits = |size: Vec2| {
-        let [long, short] = [size.x.max(size.y), size.x.min(size.y)];
-        long <= width.max(height) + rounding && short <= width.min(height) + rounding
-    };
+    let fits = |size: Vec2| is_no_larger(size, within_mm, ROUNDING);
     if !fits(size) || fits(size + Vec2::splat(2.0 * reach_mm)) {
         return fits(size);
     }
     let all = points.iter().copied().chain(others()).map(|p| turned(along)(&p));
     Box2::of_points(all).is_none_or(|around| fits(around.max - around.min))
+}
+
+/// Whether a size is no larger than a rectangle of this width and height, mm, either way round, but
+/// for rounding by this share of both.
+pub(crate) fn is_no_larger(size: Vec2, [width, height]: [f64; 2], rounding: f64) -> bool {
+    let rounding_mm = rounding * (width + height);
+    size.max_element() <= width.max(height) + rounding_mm
+        && size.min_element() <= width.min(height) + rounding_mm
 }
 
 /// The direction of the longer side of the rectangle of least area around some points.

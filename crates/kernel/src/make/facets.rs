@@ -5,16 +5,18 @@ use super::seams::{Side, places, side};
 use super::{MakeCause, MakeError};
 use crate::check::{FacetsMeant, Finding, FindingKind, MeshSetting, Verdict};
 use crate::design::{Design, PanelMesh, PanelShape};
-use crate::flatten::{Aim, Ended, FlattenError, Relaxed, unfold};
+use crate::flatten::{Aim, Ended, FlattenError, Relaxed, is_no_larger, unfold};
 use crate::material::Material;
 use crate::mesh::{Component, Cut, Mesh, MeshEdge};
 use crate::nets::{Beyond, Coarseness, NetOptions, coarseness, net};
 use crate::sheet::{Sheet, cut_along_lines};
 use crate::trim::beyond;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::Point2;
 use sheetwright_geometry::predicate::Box2;
 use sheetwright_geometry::watch::Watch;
+
+/// Corners of cut lines are rounded by this share of the size that a piece may have.
+const CUT_ROUNDING: f64 = 1e-6;
 
 /// A line along which a piece is cut without falling apart, side by side.
 type Slit = Vec<Side>;
@@ -262,18 +264,19 @@ pub(super) fn say_too_large<'a>(parts: impl Iterator<Item = &'a mut Part>, desig
         part.checked.findings.retain(|finding| !is_said(finding));
         let Some(within_mm) = largest_piece_mm(design, part) else { continue };
         let size = part.piece.size;
-        let corners = [Point2::default(), Point2::default() + size];
-        if is_within(&corners, within_mm) {
+        if is_no_larger(size, within_mm, CUT_ROUNDING) {
             continue;
         }
         let mesh = part.sheet.mesh();
         let is_inside = |edge: &MeshEdge| edge.is_border() || part.sheet.is_within_face(edge);
         let is_facet = mesh.edges().iter().all(is_inside);
+        let net = Box2::of_points(part.flat.points.iter().copied());
         let kind = FindingKind::PieceTooLarge {
             size_mm: [size.x.max(size.y), size.x.min(size.y)],
             within_mm: [within_mm[0].max(within_mm[1]), within_mm[0].min(within_mm[1])],
             is_facet,
-            is_trimmed: is_within(&part.flat.points, within_mm),
+            is_trimmed: net
+                .is_some_and(|net| is_no_larger(net.max - net.min, within_mm, CUT_ROUNDING)),
         };
         part.checked.add(Finding::of_whole(kind));
     }
@@ -284,14 +287,4 @@ fn largest_piece_mm(design: &Design, part: &Part) -> Option<[f64; 2]> {
     let panel = design.panels.iter().find(|panel| panel.name == part.panel)?;
     let PanelShape::Mesh(settings) = &panel.shape else { return None };
     settings.pieces_within_mm.filter(|_| part.given().is_some_and(|given| given.is_net))
-}
-
-/// Whether the box around some points is no larger than a rectangle, either way round.
-fn is_within(points: &[Point2], [width, height]: [f64; 2]) -> bool {
-    let rounding_mm = 1e-6 * (width + height);
-    let size = Box2::of_points(points.iter().copied()).map(|around| around.max - around.min);
-    size.is_none_or(|size| {
-        let [long, short] = [size.x.max(size.y), size.x.min(size.y)];
-        long <= width.max(height) + rounding_mm && short <= width.min(height) + rounding_mm
-    })
 }

@@ -61,45 +61,32 @@ pub(super) fn make_mesh(
     judging: Judging,
     watch: &mut dyn Watch,
 ) -> Result<Vec<Part>, MakeError> {
-    let mut parts = laid_parts(design, panel, settings, cleaned, judging, watch)?;
-    facets::say_no_effect(&mut parts, settings);
-    Ok(parts)
-}
-
-/// The parts of a panel that is a mesh, as a net, a surface or both.
-fn laid_parts(
-    design: &Design,
-    panel: &DesignPanel,
-    settings: &PanelMesh,
-    cleaned: &Cleaned,
-    judging: Judging,
-    watch: &mut dyn Watch,
-) -> Result<Vec<Part>, MakeError> {
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
     let whole = Whole::of(cleaned, settings, watch).map_err(failed)?;
     let options = facets::net_options(design, settings);
-    if settings.facets == Some(true) {
-        let pieces = whole.net(cleaned, &options, &[], watch).map_err(failed)?;
-        return make_parts(design, panel, settings, pieces, judging, watch);
-    }
-    let divided = whole.divided(settings).map_err(failed)?;
+    let is_net = settings.facets == Some(true);
+    let divided = if is_net { None } else { whole.divided(settings).map_err(failed)? };
     let body_of = whole.bodies_of(divided.as_ref());
-    let divided = divided.map(|sheet| (sheet, Vec::new()));
-    let pieces = pieces_of(cleaned, &whole, divided).map_err(failed)?;
-    let mut smooth = make_parts(design, panel, settings, pieces, judging, watch);
+    let pieces = match is_net {
+        true => whole.net(cleaned, &options, &[], watch),
+        false => pieces_of(cleaned, &whole, divided.map(|sheet| (sheet, Vec::new()))),
+    };
+    let mut made = make_parts(design, panel, settings, pieces.map_err(failed)?, judging, watch);
     let bodies = facets::Bodies { mesh: &whole.mesh, plates: &whole.plates, of_parts: &body_of };
-    match facets::folding(settings, design.material.as_ref(), &bodies, &smooth) {
+    match facets::folding(settings, design.material.as_ref(), &bodies, &made) {
         Some(Folding::Meant(laid)) if !watch.stop() => {
             let ways = (&laid[..], &options);
             let pieces = whole.folded(cleaned, settings, ways, watch).map_err(failed)?;
-            make_parts(design, panel, settings, pieces, judging, watch)
+            made = make_parts(design, panel, settings, pieces, judging, watch);
         }
         Some(Folding::Offered(coarse)) => {
-            smooth.iter_mut().for_each(|parts| facets::offer(parts, coarse));
-            smooth
+            made.iter_mut().for_each(|parts| facets::offer(parts, coarse));
         }
-        _ => smooth,
+        _ => {}
     }
+    let mut parts = made?;
+    facets::say_no_effect(&mut parts, settings);
+    Ok(parts)
 }
 
 fn make_parts(

@@ -63,8 +63,10 @@ pub(super) fn settle(
         // A text without a tick, such as the angle of a flange, is that of a whole line.
         if let Some(foot) = foot.filter(|_| is_roomy) {
             let is_mark = label.kind == LabelKind::Mark;
-            let place = free(label, foot, net, &feet, placer)
-                .or_else(|| is_mark.then(|| beyond(label, foot, net, &feet, placer)).flatten())
+            let tick = Tick { foot, feet: &feet, net };
+            let place = tick
+                .free(label, placer)
+                .or_else(|| is_mark.then(|| tick.beyond(label, placer)).flatten())
                 .or_else(|| is_mark.then(|| placer.led(label, foot)).flatten());
             if let Some(place) = place {
                 *label = place;
@@ -97,58 +99,55 @@ fn numbered_tick(label: &PatternLabel, at: Point2, paths: &[PatternPath]) -> Opt
     feet.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)))
 }
 
-/// The text at the first free place inside its edge, if there is one.
-fn free(
-    label: &PatternLabel,
+/// The tick of a text, on an edge of the net.
+struct Tick<'a> {
     foot: Point2,
-    net: &[&[Point2]],
-    feet: &[Point2],
-    placer: &Placer,
-) -> Option<PatternLabel> {
-    let off = label.at - foot;
-    let [ahead_mm, up_mm] = [off.dot(label.along), off.dot(label.along.perp())];
-    let is_free = |label: &PatternLabel| placer.is_free(label) && is_of(label, foot, feet);
-    if is_free(label) {
-        return Some(label.clone());
+    /// Where all ticks stand.
+    feet: &'a [Point2],
+    net: &'a [&'a [Point2]],
+}
+
+impl Tick<'_> {
+    /// The text at the first free place inside its edge, if there is one.
+    fn free(&self, label: &PatternLabel, placer: &Placer) -> Option<PatternLabel> {
+        let off = label.at - self.foot;
+        let [ahead_mm, up_mm] = [off.dot(label.along), off.dot(label.along.perp())];
+        let is_free = |label: &PatternLabel| placer.is_free(label) && self.is_nearest(label);
+        if is_free(label) {
+            return Some(label.clone());
+        }
+        self.places(label, [ahead_mm, up_mm]).find(is_free)
     }
-    places(label, [ahead_mm, up_mm], foot, net).find(is_free)
-}
 
-/// A mark at the first free place beyond its edge, to read, if there is one.
-fn beyond(
-    label: &PatternLabel,
-    foot: Point2,
-    net: &[&[Point2]],
-    feet: &[Point2],
-    placer: &Placer,
-) -> Option<PatternLabel> {
-    let label = PatternLabel { role: Role::Note, ..label.clone() };
-    let is_free = |label: &PatternLabel| placer.is_free_beyond(label) && is_of(label, foot, feet);
-    places(&label, [0.0, -BEYOND * label.height_mm], foot, net).find(is_free)
-}
+    /// A mark at the first free place beyond its edge, to read, if there is one.
+    fn beyond(&self, label: &PatternLabel, placer: &Placer) -> Option<PatternLabel> {
+        let label = PatternLabel { role: Role::Note, ..label.clone() };
+        let is_free = |label: &PatternLabel| placer.is_free_beyond(label) && self.is_nearest(label);
+        self.places(&label, [0.0, -BEYOND * label.height_mm]).find(is_free)
+    }
 
-/// Whether the tick of a text is the nearest to it.
-fn is_of(label: &PatternLabel, foot: Point2, feet: &[Point2]) -> bool {
-    let middle = TextBox::of(label).middle;
-    let off_mm = foot.distance(middle);
-    feet.iter().all(|other| other.distance(middle) >= off_mm)
-}
+    /// Whether no other tick is nearer to a text.
+    fn is_nearest(&self, label: &PatternLabel) -> bool {
+        let middle = TextBox::of(label).middle;
+        let off_mm = self.foot.distance(middle);
+        self.feet.iter().all(|other| other.distance(middle) >= off_mm)
+    }
 
-/// A text beside an edge, so far ahead of its tick and above the edge at first, mm, then by steps
-/// ahead and back, as far as the edge does not turn.
-fn places(
-    label: &PatternLabel,
-    [ahead_mm, up_mm]: [f64; 2],
-    foot: Point2,
-    net: &[&[Point2]],
-) -> impl Iterator<Item = PatternLabel> {
-    let edge = Loop::nearest(net, foot);
-    let steps = (1..=STEPS).flat_map(|n| [f64::from(n), -f64::from(n)]);
-    std::iter::once(0.0).chain(steps).filter_map(move |n| {
-        let (at, along) = edge.as_ref()?.at(ahead_mm + n * STEP * label.height_mm)?;
-        let is_on = along.dot(label.along) >= TURNS;
-        is_on.then(|| PatternLabel { at: at + along.perp() * up_mm, along, ..label.clone() })
-    })
+    /// A text beside the edge, so far ahead of the tick and above the edge at first, mm, then by
+    /// steps ahead and back, as far as the edge does not turn.
+    fn places(
+        &self,
+        label: &PatternLabel,
+        [ahead_mm, up_mm]: [f64; 2],
+    ) -> impl Iterator<Item = PatternLabel> {
+        let edge = Loop::nearest(self.net, self.foot);
+        let steps = (1..=STEPS).flat_map(|n| [f64::from(n), -f64::from(n)]);
+        std::iter::once(0.0).chain(steps).filter_map(move |n| {
+            let (at, along) = edge.as_ref()?.at(ahead_mm + n * STEP * label.height_mm)?;
+            let is_on = along.dot(label.along) >= TURNS;
+            is_on.then(|| PatternLabel { at: at + along.perp() * up_mm, along, ..label.clone() })
+        })
+    }
 }
 
 /// A loop of the net, and a place on it.

@@ -20,6 +20,7 @@ mod other;
 mod part;
 mod plane_check;
 mod rails;
+mod thinned;
 
 pub use hole_orientation::with_holes_facing;
 pub use optimal::{is_on_one_thread, memory_needed, on_one_thread};

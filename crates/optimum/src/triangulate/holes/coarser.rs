@@ -4,21 +4,19 @@
 //! its work ends, the first is the answer. Cut along its shortest rung, a ring often gets folds
 //! there that the best surface has not. So the ring of about every second sample is triangulated
 //! first (from a quarter of the samples, if it is large itself, and so on), and all samples are cut
-//! where that surface has its cheapest rung. Solvers of differential equations begin on coarser
-//! grids likewise, which they call nested iteration. Far from developable, few samples tell little
-//! of the surface of many, and the shortest rung does as well.
+//! where that surface has its cheapest rung (coarse to fine \[Raphael2001\]). Far from developable,
+//! few samples tell little of the surface of many, and the shortest rung does as well.
 
-use super::super::{Method, Solved, Terms, TriangulateError};
+use super::super::thinned::kept;
+use super::super::{Method, Solved, TriangulateError};
 use super::chains::{Chains, Spot};
 use super::{Part, WORTH_A_BOUND, outcome, polygon, solve};
 use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::watch::Watch;
 use std::ops::Range;
 
-/// One sample in so many is kept, and all corners if there are few.
+/// One sample in about so many is kept.
 const THINNING: usize = 2;
-/// Corners are kept while there are at most as many as one in so many samples.
-const SAMPLES_A_CORNER: usize = 8;
 /// Loops of fewer samples are not thinned: they hardly have the shape of all.
 const LEAST_SAMPLES: usize = 12;
 /// The share of the remaining work for the ring of fewer samples.
@@ -46,18 +44,18 @@ fn cheapest_join(
     chains: &Chains<'_>,
     watch: &mut dyn Watch,
 ) -> Result<Option<[Spot; 2]>, TriangulateError> {
-    let terms = chains.terms;
-    let kept = [0, 1].map(|chain| kept(chains, chain));
+    let all = [0, 1].map(|chain| {
+        let start = chains.chains[chain][0];
+        start..start + chains.len(chain)
+    });
+    let kept = [&all[0], &all[1]].map(|of_loop| kept(chains.terms.prices, of_loop, THINNING));
     if chains.work.left() == 0 || kept.iter().any(|kept| kept.len() < LEAST_SAMPLES) {
         return Ok(None);
     }
-    let samples: Vec<usize> =
-        [0, 1].iter().flat_map(|&c| kept[c].iter().map(move |&at| chains.chains[c][at])).collect();
-    let outer = kept[0].len();
+    let (outer, samples) = (kept[0].len(), kept.concat());
     let loops: [Range<usize>; 2] = [0..outer, outer..samples.len()];
-    let prices = terms.prices.thinned(&samples, &loops);
-    let visibility = terms.visibility.thinned(&samples);
-    let thinned = Terms { prices: &prices, visibility: &visibility, ..*terms };
+    let thinned = chains.terms.thinned(&samples, &loops);
+    let thinned = thinned.terms();
     let work = chains.work.part(SHARE);
     let Some(found) = solve(&thinned, None, &loops, f64::INFINITY, work, watch)? else {
         return Ok(None);
@@ -69,20 +67,11 @@ fn cheapest_join(
     let corners = found.triangles.iter().map(|triangle| triangle.map(SampleIndex::get));
     let sides = corners.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
     let joins = sides.filter(|[a, b]| *a < outer && outer <= *b);
-    let price = |[a, b]: [usize; 2]| (thinned.side(a, b).price, prices.length(a, b));
+    let price = |[a, b]: [usize; 2]| (thinned.side(a, b).price, thinned.prices.length(a, b));
     let least = joins.min_by(|&one, &other| {
         let (one_price, other_price) = (price(one), price(other));
         one_price.0.total_cmp(&other_price.0).then(one_price.1.total_cmp(&other_price.1))
     });
-    Ok(least.map(|[a, b]| {
-        [Spot { chain: 0, at: kept[0][a] }, Spot { chain: 1, at: kept[1][b - outer] }]
-    }))
-}
-
-/// The places on a loop whose samples are kept: corners, and about every second one between.
-fn kept(chains: &Chains<'_>, chain: usize) -> Vec<usize> {
-    let corner = |at: usize| chains.terms.prices.smooth_end(chains.chains[chain][at]).2 < 0.0;
-    let all = 0..chains.len(chain);
-    let are_few = SAMPLES_A_CORNER * all.clone().filter(|&at| corner(at)).count() <= all.len();
-    all.filter(|&at| at % THINNING == 0 || (are_few && corner(at))).collect()
+    let spot = |chain: usize, n: usize| Spot { chain, at: samples[n] - all[chain].start };
+    Ok(least.map(|[a, b]| [spot(0, a), spot(1, b)]))
 }

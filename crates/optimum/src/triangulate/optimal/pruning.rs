@@ -8,7 +8,7 @@
 //! the answer. Each file has one bound that says which are:
 //!
 //! - `upper_bound` finds U: what the cheapest triangulation costs near to that of the loop of every
-//!   fourth sample (`coarse`), in a `band` of the table. Without it 400 samples take 2.3 times as
+//!   fourth sample (`thinned`), in a `band` of the table. Without it 400 samples take 2.3 times as
 //!   long with the fold price and 1.2 times without, 1,600 samples 17 and 4.7 times.
 //! - `warm_start` has U for little while a handle is dragged: what the triangulation from one move
 //!   before costs now, mended by exchanges of rungs. Without it a move of 400 samples takes 1.25 to
@@ -20,7 +20,6 @@
 //!   it 1,600 samples take 1.6 times as long with the fold price, the twisted strip 6 times.
 
 mod band;
-mod coarse;
 mod completion_bound;
 mod spans;
 mod upper_bound;

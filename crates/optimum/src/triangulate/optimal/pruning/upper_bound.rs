@@ -12,15 +12,18 @@
 //!    and raised until there is an answer below it.
 
 use super::band::Band;
-use super::coarse::kept;
 use super::{HIGHEST_BOUND, fill, solve_priced};
 use crate::cost::quantised;
 use crate::triangulate::optimal::memory_needed;
 use crate::triangulate::optimal::table::Table;
 use crate::triangulate::part::Part;
+use crate::triangulate::thinned::kept;
 use crate::triangulate::{Solved, Terms, TriangulateError, if_it_fits};
 use sheetwright_geometry::watch::Watch;
+use std::slice;
 
+/// One sample in about so many is kept in the thinned loop.
+const THINNING: usize = 4;
 /// Loops with fewer samples are solved without a bound: it would cost more than it saves.
 const LEAST_THINNED: usize = 64;
 /// How much more than that of the thinned loop the answer may cost, where its rungs lead to none.
@@ -38,7 +41,7 @@ pub(super) fn price_near(
     if table.m < LEAST_THINNED {
         return Ok(bound);
     }
-    let band = Band::about(triangles, &kept(terms), table.m);
+    let band = Band::about(triangles, &kept(terms.prices, &(0..table.m), THINNING), table.m);
     let found = fill(&mut table, bound, Some(&band), &mut Part::silent(watch), 0.0..0.0);
     Ok(if_it_fits(found.map(Some))?.map_or(bound, |price| price.min(bound)))
 }
@@ -53,8 +56,8 @@ pub(super) fn bounds(
     if m < LEAST_THINNED {
         return Ok(vec![f64::INFINITY]);
     }
-    let kept = kept(terms);
-    let thinned = terms.thinned(&kept);
+    let kept = kept(terms.prices, &(0..m), THINNING);
+    let thinned = terms.thinned(&kept, slice::from_ref(&(0..kept.len())));
     let left = |table: &Table<'_>| terms.memory.saturating_sub(table.bytes());
     let few = thinned.terms().within(left(table));
     let coarse = solve_priced(&few, watch).map_err(|error| refused(terms, error))?;
@@ -64,7 +67,7 @@ pub(super) fn bounds(
     let mut price = fill(table, f64::INFINITY, Some(&band), watch, 0.0..0.0)?;
     if terms.folds() && coarse.price <= HIGHEST_BOUND && price > coarse.price {
         table.clear();
-        let thinned = thinned.with_cheaper_folds();
+        let thinned = thinned.with_cheaper_folds(THINNING);
         let few = thinned.terms().within(left(table));
         let other = if_it_fits(solve_priced(&few, watch))?.as_ref().map(band_of);
         if let Some(other) = other.filter(|other| !band.covers(other)) {
