@@ -3,8 +3,8 @@
 //! The base line is the lower side of the box around the finished piece, x runs along it and y
 //! square to it. A line across the sheet at a station passes an edge wherever one end of a side
 //! lies left of it and the other does not, so that it passes an even number of edges and two
-//! neighbours bound a stretch of sheet. At the right end, where no side has an end beyond, the
-//! station counts as left of it.
+//! neighbours bound a stretch of sheet. At both ends, that is asked 0.005 mm further inside, since
+//! a side that runs square to the base line does so within rounding only.
 
 use crate::shapes::digits;
 use crate::table::name_cell;
@@ -16,6 +16,9 @@ use sheetwright::predicate::Box2;
 const MOST_STATIONS: f64 = 20.0;
 /// The most stations of a piece at any pitch.
 const MOST_AT_A_PITCH: f64 = 100_000.0;
+/// So far from either end the edges of the first and the last station are taken: rounding decides
+/// which of two corners is the last. Written are hundredths.
+const NEAR_THE_END_MM: f64 = 0.005;
 const MM_PER_INCH: f64 = 25.4;
 
 /// The stations of a table of offsets, and its unit.
@@ -40,11 +43,14 @@ pub fn write_offsets<'a>(
             continue;
         };
         let name = name_cell(&piece.name);
+        let length_mm = around.max.x - around.min.x;
+        let within_mm = NEAR_THE_END_MM.min(0.25 * length_mm);
         let of_station = |x: f64| {
-            let heights = crossings(&loops, around.min.x + x);
+            let at = x.clamp(within_mm, length_mm - within_mm);
+            let heights = crossings(&loops, around.min.x + at);
             (name.clone(), x, heights.into_iter().map(|y| y - around.min.y).collect())
         };
-        rows.extend(stations(around.max.x - around.min.x, options).into_iter().map(of_station));
+        rows.extend(stations(length_mm, options).into_iter().map(of_station));
     }
     let stretches = rows.iter().map(|(.., heights)| heights.len() / 2).max().unwrap_or(0);
     let unit = if options.feet { "ft_in_8" } else { "mm" };
@@ -68,7 +74,7 @@ fn stations(length_mm: f64, options: &OffsetOptions) -> Vec<f64> {
     let pitch_mm = options.pitch_mm.unwrap_or_else(|| round_pitch_mm(length_mm, options.feet));
     let count = (length_mm / pitch_mm).ceil().min(MOST_AT_A_PITCH);
     let whole = (0..count as u32).map(|n| f64::from(n) * pitch_mm);
-    whole.filter(|&x| x < length_mm).chain([length_mm]).collect()
+    whole.filter(|&x| x < length_mm - NEAR_THE_END_MM).chain([length_mm]).collect()
 }
 
 /// The least round pitch at which a piece has no more than 20 stations, mm.
@@ -157,6 +163,16 @@ mod tests {
             rows[1..].iter().map(|row| row.join(",")).collect::<Vec<_>>(),
             ["a,0,0,100,,", "a,50,0,40,60,100", "a,100,0,100,,"]
         );
+    }
+
+    #[test]
+    fn both_ends_have_both_corners_though_rounding_parts_them() {
+        let corners = [(0.0, 0.0), (508.0, 0.0), (508.0 + 6e-14, 254.0), (-3e-14, 254.0)];
+        let outline = corners.map(|(x, y)| Point2::new(x, y)).to_vec();
+        let options = OffsetOptions { pitch_mm: Some(254.0), feet: false };
+        let rows = table(vec![path(PathKind::Outline, outline)], &options);
+        let rows: Vec<String> = rows[1..].iter().map(|row| row.join(",")).collect();
+        assert_eq!(rows, ["a,0,0,254", "a,254,0,254", "a,508,0,254"]);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use sheetwright::curve::CurvePoint;
 use sheetwright::elastic::{Edges, predict, screen};
 use sheetwright::flatten::{Flattened, unroll};
 use sheetwright::index::SampleIndex;
+use sheetwright::make::{Judging, make_judged};
 use sheetwright::math::{Point2, Point3, angle_between, to_deg};
 use sheetwright::measure::{CutFrom, Measures, area_flat, measures};
 use sheetwright::predicate::signed_area_doubled;
@@ -15,6 +16,7 @@ use sheetwright::sheet::Sheet;
 use sheetwright::surface::{Connectivity, Surface};
 use sheetwright::triangulate::{TriangulateOptions, Triangulation, triangulate};
 use sheetwright::watch::Unwatched;
+use sheetwright_shapes::bent;
 use sheetwright_shapes::developable::{Blob, blobs, largest_distance_after_fitting};
 use sheetwright_shapes::hemisphere;
 
@@ -237,5 +239,29 @@ fn coarse_samples_are_not_taken_for_twist() {
             let bends = checked.verdict == Verdict::Bends;
             assert!(bends || with_force, "{} {m}: {checked:?}", blob.name);
         }
+    }
+}
+
+/// However few samples there are, what is left of the warp of a perfect cone or cylinder is little;
+/// and all of it is left of the warp of a strip that is twisted.
+#[test]
+fn rungs_of_developable_surfaces_lie_beside_rulings() {
+    for blob in blobs() {
+        for m in [24, 48, 100, 400] {
+            let solved = solved(&blob.boundary(m).0, PlaneChoice::Auto, DEFAULT_FOLD);
+            let rungs = &solved.measures.rungs;
+            let beside = rungs.iter().filter(|rung| rung.has_ruling_beside).count();
+            println!("{} {m}: {beside} of {}", blob.name, rungs.len());
+            // Towards its ends, rungs of a few samples may lie farther off.
+            assert!(beside + 2 >= rungs.len(), "{} {m}", blob.name);
+            assert!(rungs.iter().all(|rung| rung.warp_of_surface() < 0.03), "{} {m}", blob.name);
+        }
+    }
+    for deg in [5.0, 20.0, 45.0] {
+        let part = make_judged(&bent::twisted(deg), Judging::Quick, &mut Unwatched).unwrap();
+        let rungs = part.parts[0].measures.rungs.iter();
+        let lost = rungs.filter(|rung| rung.warp_of_surface() < rung.warp).count();
+        // Those at its corners.
+        assert!(lost <= 2, "{deg}: {lost}");
     }
 }

@@ -355,3 +355,26 @@ fn a_ribbon_too_long_for_a_net_is_judged_by_its_creases() {
     assert!(radii.iter().all(|radius| (radius / 20.0 - 1.0).abs() < 0.1), "{radii:?}");
     assert_eq!([&short, &long].map(verdict), [Verdict::Roll; 2]);
 }
+
+/// Sheet that springs back, of a thickness, mm, and with these limits.
+fn springy(thickness_mm: f64, stretch: f64, bend_radius_mm: f64) -> Material {
+    let mut sheet = Material { yield_strain: None, ..steel(thickness_mm) };
+    sheet.stretch_limit.value = stretch;
+    sheet.bend_radius_mm.value = bend_radius_mm;
+    sheet
+}
+
+#[test]
+fn a_mesh_is_bent_no_more_tightly_than_its_sheet_takes() {
+    for (radius, is_taken) in [(200.0, false), (350.0, false), (420.0, true)] {
+        let (positions, triangles) = grid([24, 6], Cut::Forth, |x, y| {
+            let angle = 0.5 * TAU * x;
+            Point3::new(radius * cos(angle), radius * sin(angle), 500.0 * y)
+        });
+        let part = made(positions, triangles, Some(springy(4.0, 0.005, 385.0)));
+        let is_tight = |kind: &FindingKind| matches!(kind, FindingKind::RadiusTooSmall { .. });
+        let is_said = part.checked.findings.iter().any(|finding| is_tight(&finding.kind));
+        assert_eq!(is_said, !is_taken, "{radius}");
+        assert_eq!(verdict(&part) == Verdict::WillNotBend, !is_taken, "{radius}");
+    }
+}

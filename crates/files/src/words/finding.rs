@@ -442,6 +442,9 @@ fn folds(mountains: usize, valleys: usize) -> String {
     }
 }
 
+/// A moment below it, N, is not told: no hand feels it.
+const LEAST_MOMENT_N: f64 = 0.001;
+
 fn cut_open(why: SeamCause) -> &'static str {
     match why {
         SeamCause::NotFlat => "In one piece the panel does not lie flat, so it is cut open",
@@ -538,7 +541,8 @@ fn needs_force(kind: &FindingKind) -> String {
             )
         }
     };
-    let hold = moment_n.map_or(String::new(), |moment| {
+    let hold = moment_n.filter(|&moment| moment >= LEAST_MOMENT_N);
+    let hold = hold.map_or(String::new(), |moment| {
         format!(" To hold it takes a moment of about {} N·m for each metre of edge.", short(moment))
     });
     format!("Bending needs force. {why}.{hold}")

@@ -6,6 +6,10 @@ use crate::material::{EASY_SHARE, Material};
 use crate::measure::{Measures, RungMeasures};
 use sheetwright_geometry::math::from_deg;
 
+/// A mesh is bent too tightly below this share of the least radius of its sheet: its own radius is
+/// known within some per cent.
+const MESH_SHARE: f64 = 0.95;
+
 /// The findings that follow from a prediction and from the measures of a surface that was found.
 pub(super) fn findings(
     predicted: Option<&Predicted>,
@@ -15,7 +19,7 @@ pub(super) fn findings(
     let found = [
         predicted.and_then(roll),
         predicted.and_then(stretch),
-        material.and_then(|material| radius(measures, material)),
+        material.and_then(|material| radius(predicted, measures, material)),
         folds(measures, material),
         folds_not_needed(measures),
     ];
@@ -59,8 +63,18 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
 /// The finding that the sheet is bent more tightly than it takes; or, of a sheet that does not
 /// fold, that the samples can't tell: rulings turn so much from one to the next that a tight end
 /// may lie between two.
-fn radius(measures: &Measures, material: &Material) -> Option<Finding> {
+fn radius(
+    predicted: Option<&Predicted>,
+    measures: &Measures,
+    material: &Material,
+) -> Option<Finding> {
     let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
+    if measures.distortion.is_some() {
+        // A mesh has no rungs that tell.
+        let least_mm = 1.0 / predicted?.curvature;
+        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
+        return (least_mm < MESH_SHARE * limit_mm).then(|| Finding::of_whole(kind));
+    }
     let least_mm = measures.bend_radius_min_mm;
     if least_mm < limit_mm {
         let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };

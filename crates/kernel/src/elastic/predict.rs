@@ -22,7 +22,7 @@ use super::{
 };
 use crate::flatten::Flattened;
 use crate::material::Limits;
-use crate::measure::Measures;
+use crate::measure::{Measures, RungMeasures};
 use crate::mesh::Cut;
 use crate::sheet::{Sheet, cut_along};
 use sheetwright_geometry::boundary::size_of;
@@ -114,22 +114,10 @@ impl Judge<'_> {
 
     /// Whether the surface is developable, as far as its samples tell, and smooth.
     fn is_developable(&self) -> bool {
-        let warp = at_share(&self.least_warps(), &weights(self.sheet), DECIDES);
+        let warps: Vec<f64> =
+            self.measures.rungs.iter().map(RungMeasures::warp_of_surface).collect();
+        let warp = at_share(&warps, &weights(self.sheet), DECIDES);
         self.folds(|_| true).is_empty() && is_developable(self.limits, warp * warp)
-    }
-
-    /// For every rung the least warp of it and of those beside it, radians. Of two rungs that share
-    /// a sample, the one that lies farther from a ruling has the bend up to the next sample in its
-    /// warp: on a cylinder, every second one.
-    fn least_warps(&self) -> Vec<f64> {
-        let (ends, rungs) = (self.sheet.rung_ends(), &self.measures.rungs);
-        let share = |n: usize, m: usize| ends[n].iter().any(|v| ends[m].contains(v));
-        let least = |n: usize| {
-            let beside = n.saturating_sub(1)..(n + 2).min(rungs.len());
-            let warps = beside.filter(|&m| m == n || share(n, m)).map(|m| rungs[m].warp);
-            warps.fold(f64::INFINITY, f64::min)
-        };
-        (0..rungs.len()).map(least).collect()
     }
 
     /// The prediction for an elastic sheet.

@@ -5,6 +5,7 @@
 //! | twist w of a rung | 1 − cosine of the angle between the tangent planes at its ends | none |
 //! | warp angle of a rung | that angle | radians |
 //! | resolution of a rung | how much of its warp angle may come from the sampling | radians |
+//! | ruling beside a rung | whether there is one within a sample of it | none |
 //! | crease of a rung | angle between its two triangles, positive for a mountain | radians |
 //! | fold | whether a crease stands alone: a sharp fold, no part of a smooth bend | none |
 //! | bend radius at a rung | how tightly the sheet is rolled across it, at its tighter end | mm |
@@ -20,6 +21,7 @@ mod bend;
 mod crossing;
 mod distortion;
 mod gauss;
+mod rulings;
 
 pub use apex::Apex;
 pub(crate) use crossing::crosses_itself;
@@ -33,6 +35,7 @@ use crate::sheet::Sheet;
 use crate::surface::Surface;
 use bend::{Rolls, rolls};
 use gauss::gauss_area_of_mesh;
+use rulings::Rulings;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point3, Vec3, to_deg};
 use sheetwright_optimum::cost::Prices;
@@ -62,6 +65,11 @@ pub struct RungMeasures {
     /// sample to the next takes two rungs), or that of any rung that shares a sample with it (where
     /// a fan has its bend at its end). It falls with the spacing of the samples; twist stays.
     pub resolution: f64,
+    /// Whether a ruling lies within a sample of it: one of the four rungs from one of its ends to
+    /// a sample beside the other is warped the other way, so that one between is not warped at all;
+    /// or it cuts off a single sample. So it is at the rungs of a developable surface, however few
+    /// its samples are.
+    pub has_ruling_beside: bool,
     /// The angle between the two triangles, radians, positive for a mountain as seen from the side
     /// that the surface faces.
     pub crease: f64,
@@ -84,6 +92,11 @@ impl RungMeasures {
     /// The warp angle, unless the sampling explains it: then 0. Radians.
     pub fn warp_beyond_sampling(&self) -> f64 {
         if self.warp > self.resolution { self.warp } else { 0.0 }
+    }
+
+    /// The warp angle of the surface there, radians: none where a ruling lies beside it.
+    pub fn warp_of_surface(&self) -> f64 {
+        if self.has_ruling_beside { 0.0 } else { self.warp }
     }
 
     /// Whether the sheet bends along it; smaller creases come from rounding.
@@ -258,6 +271,7 @@ fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, V
     }
     let Rolls { radii_mm, apexes } = rolls(surface, &smooth);
     let bend = |n: usize| smooth[n].abs();
+    let rulings = Rulings::new(surface, prices);
     let rungs = (0..hinges.len())
         .map(|n| {
             let rung = hinges[n].rung;
@@ -269,6 +283,7 @@ fn rungs_and_apexes(surface: &Surface, prices: &Prices) -> (Vec<RungMeasures>, V
                 warp: planes.map_or(std::f64::consts::PI, |p| p.warp()),
                 resolution: (2.0 * around(n).map(bend).fold(bend(n), f64::max))
                     .max(sharpest_at[low.get()].max(sharpest_at[high.get()])),
+                has_ruling_beside: rulings.has_one_beside(rung),
                 crease: creases[n],
                 is_fold: is_fold[n],
                 is_scored: is_fold[n],

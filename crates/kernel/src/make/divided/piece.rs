@@ -241,6 +241,7 @@ impl Making<'_> {
                     twist: 0.0,
                     warp: 0.0,
                     resolution: 0.0,
+                    has_ruling_beside: true,
                     crease: 0.0,
                     is_fold: false,
                     is_scored: false,
