@@ -76,14 +76,20 @@ fn line(doubled: &Doubled) -> String {
     format!("| {} | {} | {words} |", doubled.name, doubled.sheet)
 }
 
-/// The rows of those whose verdicts are not all the same.
+/// The table of those whose verdicts are not all the same, or that there are none.
 pub(super) fn table(doubled: &[Doubled]) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
     let differ = |d: &&Doubled| d.verdicts.iter().any(|verdict| *verdict != d.verdicts[0]);
-    for doubled in doubled.iter().filter(differ) {
-        writeln!(text, "{}", line(doubled))?;
+    let lines: Vec<String> = doubled.iter().filter(differ).map(line).collect();
+    if lines.is_empty() {
+        return Ok("Each of them has one verdict throughout.".to_owned());
     }
-    Ok(text.trim_end().to_owned())
+    let samples = SAMPLES.map(|count| count.to_string()).join(" | ");
+    let mut text =
+        "Boundaries that are not in the table have one verdict throughout.\n\n".to_owned();
+    writeln!(text, "| boundary | sheet | {samples} |")?;
+    writeln!(text, "|---|---{}|", "|---".repeat(SAMPLES.len()))?;
+    text.push_str(&lines.join("\n"));
+    Ok(text)
 }
 
 /// How many verdicts change, and how often it says "can't tell".

@@ -106,8 +106,8 @@ fn summary(rows: &[Row]) -> Result<String, std::fmt::Error> {
     let limits = THICKNESSES.len();
     write!(
         text,
-        "\nOf {count} sheets ({} designs in {limits} thicknesses, equal panels once), {unsure} are \
-         \"can't tell\". Of the\n{compared} that have a finer net, {wrong} are judged on the wrong \
+        "\nOf {count} sheets ({} designs in {limits} thicknesses, equal panels once), \"can't tell\" is \
+         said of {unsure}. Of the\n{compared} that have a finer net, {wrong} are judged on the wrong \
          side of the limit by more than a factor of {}.",
         rows.len(),
         sheets::MOST_WRONG,

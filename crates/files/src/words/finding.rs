@@ -23,6 +23,8 @@ use sheetwright::tolerance::Tolerance;
 /// Above this share of the radius from which a sheet keeps its bend, it keeps little of it, and the
 /// computed radius hardly tells whether it does.
 const NEAR_YIELD: f64 = 0.8;
+/// A moment below it, N, is not told: no hand feels it.
+const LEAST_MOMENT_N: f64 = 0.001;
 
 /// A finding in words with units, and advice: one sentence or more for each kind.
 pub fn finding_text(finding: &Finding) -> String {
@@ -441,9 +443,6 @@ fn folds(mountains: usize, valleys: usize) -> String {
         _ => format!("{mountain} and {valley}"),
     }
 }
-
-/// A moment below it, N, is not told: no hand feels it.
-const LEAST_MOMENT_N: f64 = 0.001;
 
 fn cut_open(why: SeamCause) -> &'static str {
     match why {

@@ -62,7 +62,7 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
 
 /// The finding that the sheet is bent more tightly than it takes; or, of a sheet that does not
 /// fold, that the samples can't tell: rulings turn so much from one to the next that a tight end
-/// may lie between two.
+/// may lie between two. A mesh has no rungs; the curvature of its sheet tells.
 fn radius(
     predicted: Option<&Predicted>,
     measures: &Measures,
@@ -70,7 +70,6 @@ fn radius(
 ) -> Option<Finding> {
     let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
     if measures.distortion.is_some() {
-        // A mesh has no rungs that tell.
         let least_mm = 1.0 / predicted?.curvature;
         let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
         return (least_mm < MESH_SHARE * limit_mm).then(|| Finding::of_whole(kind));

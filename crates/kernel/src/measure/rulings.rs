@@ -42,21 +42,20 @@ impl<'a> Rulings<'a> {
     /// and shorter.
     pub(super) fn has_one_beside(&self, rung: Rung) -> bool {
         let [low, high] = rung.ends();
-        if self.beside[low.get()].iter().any(|&between| self.is_beside(between, high)) {
+        let is_rung =
+            |a: SampleIndex, b: SampleIndex| a != b && !self.prices.neighbours(a.get(), b.get());
+        if self.beside[low.get()].iter().any(|&between| !is_rung(between, high)) {
             return true;
         }
         let Some(here) = self.way([low, high]) else { return false };
         let moved = |end: SampleIndex, other: SampleIndex| {
-            // Sides of the border are no rungs.
-            let is_rung = move |a: &SampleIndex| *a != other && !self.is_beside(*a, other);
-            self.beside[end.get()].into_iter().filter(is_rung).map(move |a| [a, other])
+            self.beside[end.get()]
+                .into_iter()
+                .filter(move |&a| is_rung(a, other))
+                .map(move |a| [a, other])
         };
         let mut ways = moved(low, high).chain(moved(high, low)).filter_map(|ends| self.way(ends));
         ways.any(|way| way * here <= BEYOND * here * here)
-    }
-
-    fn is_beside(&self, a: SampleIndex, b: SampleIndex) -> bool {
-        self.beside[a.get()].contains(&b)
     }
 
     /// The sine of the warp angle between two samples, positive where the tangent plane turns like
