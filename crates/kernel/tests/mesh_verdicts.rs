@@ -12,7 +12,7 @@ use sheetwright::elastic::Basis;
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Part, make};
 use sheetwright::material::Material;
-use sheetwright::math::{Point3, cos, from_deg, sin};
+use sheetwright::math::{Point3, atan2, cos, from_deg, sin};
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::materials::steel;
 use sheetwright_shapes::meshes::{cap, cone};
@@ -300,6 +300,58 @@ fn saddle(height: f64) -> Part {
 fn gentle_saddles_bend_and_steep_ones_do_not() {
     assert_eq!(verdict(&saddle(3.0)), Verdict::Bends);
     assert_eq!(verdict(&saddle(100.0)), Verdict::WillNotBend);
+}
+
+/// Found crumpled, it would strain by ten times as much as it needs to.
+#[test]
+fn a_thin_saddle_is_not_found_crumpled_however_it_was_cut() {
+    let cells = [(12, Cut::Forth), (12, Cut::Back), (12, Cut::InTurn), (16, Cut::Forth)];
+    for height in [110.0, 150.0] {
+        for (cells, cut) in cells {
+            let (positions, triangles) = grid([cells; 2], cut, |x, y| {
+                let warp = (2.0 * x - 1.0) * (2.0 * y - 1.0);
+                Point3::new(1000.0 * x, 1000.0 * y, height * warp)
+            });
+            let part = made(positions, triangles, Some(steel(0.5)));
+            let is_taken = matches!(verdict(&part), Verdict::Bends | Verdict::Roll);
+            assert!(is_taken, "{height} {cells} {cut:?} {:?} {}", verdict(&part), strain(&part));
+        }
+    }
+}
+
+/// Felt that stretches by 5 or 10 %: deeper dishes strain more, and the sheet has their shape.
+#[test]
+fn a_dish_that_is_too_deep_is_not_taken_however_it_was_divided() {
+    let dishes = [(0.05, 30.0, 45.0, 70.0), (0.1, 45.0, 60.0, 80.0)];
+    for cells in [[6, 18], [8, 24]] {
+        for (limit, shallow, deep, too_deep) in dishes {
+            let in_felt = |depth: f64| {
+                let (positions, triangles) = dish(150.0, depth, cells);
+                made(positions, triangles, Some(springy(3.0, limit, 10.0)))
+            };
+            let parts = [shallow, deep, too_deep].map(in_felt);
+            let is_taken = |part| matches!(verdict(part), Verdict::Bends | Verdict::BendsWithForce);
+            let found = parts.each_ref().map(|part| (verdict(part), strain(part)));
+            assert_eq!(parts.each_ref().map(is_taken), [true, true, false], "{cells:?} {found:?}");
+            assert!(found[0].1 < found[1].1 && found[1].1 < found[2].1, "{cells:?} {found:?}");
+            // It lies off the surface by no more than 1 % of its size.
+            let off = parts[1].predicted.as_ref().unwrap().rest_distance_mm().unwrap();
+            assert!(off < 0.01 * 430.0, "{cells:?} {off}");
+        }
+    }
+}
+
+/// A round dish of a radius, mm, that is part of a sphere of this depth, mm.
+fn dish(
+    radius: f64,
+    depth: f64,
+    [rings, around]: [usize; 2],
+) -> (Vec<Point3>, Vec<[VertexIndex; 3]>) {
+    let of_sphere = (radius * radius + depth * depth) / (2.0 * depth);
+    let angle = atan2(radius, of_sphere - depth);
+    let mesh = cap(angle, rings, around);
+    let scaled = mesh.positions().iter().map(|p| Point3::from_vec(p.to_vec() * of_sphere));
+    (scaled.collect(), mesh.triangles().to_vec())
 }
 
 #[test]

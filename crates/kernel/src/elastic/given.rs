@@ -50,6 +50,8 @@ const SMALL: f64 = 0.05;
 const BEYOND: f64 = 4.0;
 /// A mesh may take so many times the steps of a surface that was found: it is farther from rest.
 const PATIENCE: usize = 2;
+/// The pattern of a sheet is fitted from so many starts at the most.
+const STARTS: usize = 3;
 /// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
 /// the most. Who asked for a sheet eight times as thick has another one in mind.
 const HALVINGS: usize = 3;
@@ -284,9 +286,20 @@ impl Given<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Elastic, ElasticError> {
         let (most_steps, fitted) = (PATIENCE * options.most_steps, limits.strain * self.enough);
+        // Only the first net of a sheet that is judged for itself is worth many starts.
+        let is_first = coarser.is_none() && options.triangles == NETS[0][0] && self.nets.len() > 1;
+        let starts = if is_first { STARTS } else { 1 };
         let reading = self.reading;
-        let options =
-            ElasticOptions { band_mm, most_steps, fits, fitted, fits_anyway, reading, ..*options };
+        let options = ElasticOptions {
+            band_mm,
+            most_steps,
+            fits,
+            fitted,
+            fits_anyway,
+            starts,
+            reading,
+            ..*options
+        };
         let stiffness = stiffness_of(limits, self.size_mm());
         let edges = Edges::default();
         let task = Task { sheet: self.sheet, flat: self.flat, edges: &edges, coarser };

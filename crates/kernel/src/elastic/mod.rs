@@ -46,6 +46,7 @@ mod predict;
 mod predicted;
 mod rolled;
 mod screen;
+mod settled;
 mod surface;
 mod thickest;
 
@@ -63,9 +64,10 @@ use coarser::Begin;
 use energy::{Energy, largest_principal};
 use hold::{Edge, Stretch};
 use net::Net;
-use newton::{Rest, rest};
+use newton::Rest;
 use outline::Outline;
 use places::Places;
+use settled::{Settled, settled, settled_from};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3};
 use sheetwright_geometry::watch::Watch;
@@ -91,6 +93,9 @@ pub struct ElasticOptions {
     /// Whether it is fitted in any case, however little the sheet of the given one is strained.
     /// Default: no.
     pub fits_anyway: bool,
+    /// From so many starts it is fitted at the most, while the sheet stays strained by far more.
+    /// Default: 1.
+    pub starts: usize,
     /// How the triangles of the surface are taken. Default: they are the surface.
     pub reading: Reading,
 }
@@ -104,6 +109,7 @@ impl Default for ElasticOptions {
             fits: 0,
             fitted: 0.0,
             fits_anyway: false,
+            starts: 1,
             reading: Reading::Facets,
         }
     }
@@ -213,6 +219,9 @@ struct Task<'a> {
     coarser: Option<&'a Elastic>,
 }
 
+/// A sheet may lie so many times as far from its surface as its band is wide on either side.
+const MOST_BANDS: f64 = 2.0;
+
 /// The sheet at rest.
 fn at_rest(
     task: &Task<'_>,
@@ -235,6 +244,12 @@ fn at_rest(
         Some(begin) => settled_from(begin, &mut net, stiffness, options, watch)?,
     };
     let Settled { energy, at_rest, moves } = settled;
+    // A sheet that is pressed so far off its surface does not have its shape.
+    if let (Some(half_mm), Some(off_mm)) = (options.band_mm, energy.farthest_mm(&at_rest.positions))
+        && off_mm > MOST_BANDS * half_mm
+    {
+        return Err(ElasticError::NoRest);
+    }
     let Rest { positions, slid_max_mm, is_stable, steps } = at_rest;
     let moved = |n: usize| match positions[n] - net.space[n] {
         way if slid_max_mm > 0.0 => way.dot(net.facing[n]).abs(),
@@ -261,216 +276,6 @@ fn at_rest(
         positions: positions.into_iter().map(|p| p + away).collect(),
     })
 }
-
-/// A sheet at rest, and how far the pattern was moved for it at every node, mm.
-#[derive(Clone)]
-struct Settled {
-    energy: Energy,
-    at_rest: Rest,
-    moves: Vec<Vec2>,
-}
-
-impl Settled {
-    /// The place of rest next below where the nodes begin.
-    fn new(
-        net: &Net,
-        stiffness: Stiffness,
-        begin: Vec<Point3>,
-        options: &ElasticOptions,
-        watch: &mut dyn Watch,
-    ) -> Result<Self, ElasticError> {
-        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
-        let energy = match options.band_mm {
-            Some(half_mm) => energy.within(net, half_mm),
-            None => energy,
-        };
-        let at_rest = rest(net, &energy, begin, options.most_steps, watch)?;
-        Ok(Self { energy, at_rest, moves: vec![Vec2::ZERO; net.flat.len()] })
-    }
-
-    /// The largest principal strain of every triangle.
-    fn strains(&self) -> Vec<f64> {
-        let strains = self.energy.strains(&self.at_rest.positions).into_iter();
-        strains.map(largest_principal).collect()
-    }
-
-    /// The strain that decides.
-    fn strain(&self) -> f64 {
-        at_share(&self.strains(), &self.energy.areas(), DECIDES)
-    }
-
-    /// The mean square of the largest principal strain, by area.
-    fn mean_square(&self) -> f64 {
-        let areas = self.energy.areas();
-        let squares =
-            self.strains().into_iter().zip(&areas).map(|(strain, area)| strain * strain * area);
-        squares.sum::<f64>() / areas.iter().sum::<f64>()
-    }
-}
-
-/// The sheet at rest. If that is strained by more than `options.fitted`, its pattern is fitted to
-/// it as often as `options` say while strain falls, from the pattern that fits the surface itself
-/// (three more fits): so the sheet is the same however the surface was divided into triangles, and
-/// laid flat. Where that comes to no rest, from the pattern as it was given.
-fn settled(
-    net: &mut Net,
-    stiffness: Stiffness,
-    options: &ElasticOptions,
-    watch: &mut dyn Watch,
-) -> Result<Settled, ElasticError> {
-    let as_given = net.flat.clone();
-    if options.fits_anyway {
-        return match fitted(net, stiffness, options, watch) {
-            Err(ElasticError::NoRest) => {
-                net.flat = as_given;
-                let given = Settled::new(net, stiffness, net.space.clone(), options, watch)?;
-                fitted_on(given, net, stiffness, options, watch)
-            }
-            found => found,
-        };
-    }
-    let given = Settled::new(net, stiffness, net.space.clone(), options, watch);
-    let is_to_fit = match &given {
-        Ok(now) => now.strain() > options.fitted,
-        Err(error) => *error == ElasticError::NoRest,
-    };
-    if options.fits == 0 || !is_to_fit {
-        return given;
-    }
-    let mut fitted = fitted(net, stiffness, options, watch);
-    if let (Ok(given), Err(ElasticError::NoRest)) = (&given, &fitted) {
-        net.flat.clone_from(&as_given);
-        fitted = fitted_on(given.clone(), net, stiffness, options, watch);
-    }
-    match (given, fitted) {
-        (_, Err(ElasticError::Stopped)) => Err(ElasticError::Stopped),
-        (given, Ok(fitted)) if given.as_ref().map_or(true, |g| fitted.strain() < g.strain()) => {
-            Ok(fitted)
-        }
-        (given, _) => {
-            net.flat = as_given;
-            given
-        }
-    }
-}
-
-/// The sheet at rest, from a beginning. Its pattern is fitted on where it was fitted there, and
-/// left as given where no fit helped. Where it needed none there and needs one now, all is done
-/// anew.
-fn settled_from(
-    begin: Begin,
-    net: &mut Net,
-    stiffness: Stiffness,
-    options: &ElasticOptions,
-    watch: &mut dyn Watch,
-) -> Result<Settled, ElasticError> {
-    if begin.is_fitted {
-        net.flat = moved(&net.flat, &begin.moves, 1.0);
-        let mut now = Settled::new(net, stiffness, begin.positions, options, watch)?;
-        now.moves = begin.moves;
-        return fitted_on(now, net, stiffness, options, watch);
-    }
-    let found = Settled::new(net, stiffness, begin.positions, options, watch)?;
-    let no_fit_helps = options.fits == 0 || begin.strain > options.fitted;
-    if no_fit_helps || found.strain() <= options.fitted {
-        return Ok(found);
-    }
-    settled(net, stiffness, options, watch)
-}
-
-/// The sheet of the pattern that fits the surface itself, then fitted to its sheet at rest again
-/// and again.
-fn fitted(
-    net: &mut Net,
-    stiffness: Stiffness,
-    options: &ElasticOptions,
-    watch: &mut dyn Watch,
-) -> Result<Settled, ElasticError> {
-    let mut sum = vec![Vec2::ZERO; net.flat.len()];
-    for _ in 0..SURFACE_FITS {
-        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
-        let moves = fit::displacement(net, &energy, &net.space).ok_or(ElasticError::NoNet)?;
-        net.flat = moved(&net.flat, &moves, 1.0);
-        sum = added(&sum, &moves, 1.0);
-    }
-    let mut now = Settled::new(net, stiffness, net.space.clone(), options, watch)?;
-    now.moves = sum;
-    fitted_on(now, net, stiffness, options, watch)
-}
-
-/// The sheet with its pattern fitted to it again and again while the mean square of its strain
-/// falls, and of these sheets the one whose strain that decides is least. That strain itself goes
-/// up and down on the way: it is of the triangles that are strained most.
-fn fitted_on(
-    mut now: Settled,
-    net: &mut Net,
-    stiffness: Stiffness,
-    options: &ElasticOptions,
-    watch: &mut dyn Watch,
-) -> Result<Settled, ElasticError> {
-    let mut best = (now.clone(), net.flat.clone());
-    let mut last = vec![Vec2::ZERO; net.flat.len()];
-    for _ in 0..options.fits {
-        let mean_square = now.mean_square();
-        if now.strain() <= options.fitted {
-            break;
-        }
-        let Some(moves) = fit::displacement(net, &now.energy, &now.at_rest.positions) else {
-            break;
-        };
-        let before = net.flat.clone();
-        let mut next = None;
-        for [far, again] in FIT_STEPS {
-            let way = moves.iter().zip(&last).map(|(&way, &last)| way * far + last * again);
-            let way: Vec<Vec2> = way.collect();
-            net.flat = moved(&before, &way, 1.0);
-            let begin = now.at_rest.positions.clone();
-            match Settled::new(net, stiffness, begin, options, watch) {
-                Err(ElasticError::Stopped) => return Err(ElasticError::Stopped),
-                Ok(found) if found.mean_square() < mean_square => {
-                    next = Some((found, way));
-                    break;
-                }
-                _ => {}
-            }
-        }
-        let Some((found, way)) = next else { break };
-        let (sum, steps) = (added(&now.moves, &way, 1.0), now.at_rest.steps);
-        now = found;
-        now.moves = sum;
-        now.at_rest.steps += steps;
-        last = way;
-        if now.strain() < best.0.strain() {
-            best = (now.clone(), net.flat.clone());
-        }
-        if now.mean_square() > HARDLY_LESS * mean_square {
-            break;
-        }
-    }
-    let (best, flat) = best;
-    net.flat = flat;
-    Ok(best)
-}
-
-/// Points moved so many times as far as these ways.
-fn moved(points: &[Point2], ways: &[Vec2], far: f64) -> Vec<Point2> {
-    points.iter().zip(ways).map(|(&p, &way)| p + way * far).collect()
-}
-
-/// Ways and so many times these.
-fn added(sums: &[Vec2], ways: &[Vec2], far: f64) -> Vec<Vec2> {
-    sums.iter().zip(ways).map(|(&sum, &way)| sum + way * far).collect()
-}
-
-/// The pattern is fitted to the surface itself so often: the fit is linear, and lengths that are
-/// wrong by some per cent take a second and a third one.
-const SURFACE_FITS: usize = 3;
-/// A fit goes so many times as far as the sheet at rest asks, and by this share of the last move
-/// besides: pattern and sheet follow one another slowly (over-relaxation with momentum
-/// \[Polyak1964\]). Where that leaves more strain, it goes as far as the sheet asks.
-const FIT_STEPS: [[f64; 2]; 2] = [[2.5, 0.5], [1.0, 0.0]];
-/// Fitting ends where it leaves more than this share of the mean square of the strain.
-const HARDLY_LESS: f64 = 0.98;
 
 /// The curvature that 95 % of the area of a surface stays below, 1/mm, on a net of the default
 /// size; `None` where there is no net.
