@@ -3,9 +3,9 @@
 
 use sheetwright::check::Verdict;
 use sheetwright::curve::Curve;
-use sheetwright::design::{Design, PanelMethod, PanelShape};
-use sheetwright::edge::Edge;
-use sheetwright::make::{Made, make};
+use sheetwright::design::{Design, Dimensions, PanelMethod, PanelShape};
+use sheetwright::edge::{Edge, EdgeSource};
+use sheetwright::make::{Made, Part, make};
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::template::{Value, template};
 use sheetwright::watch::Unwatched;
@@ -198,5 +198,101 @@ fn the_edges_of_a_y_branch_are_joined_along_what_they_share() {
         // Both stretches together are the whole of it.
         let common: f64 = edge.shared_mm.iter().map(|shared| shared[0]).sum();
         assert!((common - edge.length_flat_mm).abs() < 0.1, "{}: {common}", edge.name);
+    }
+}
+
+/// A template with other values, whose drawn face is this one of a sheet of 3 mm.
+fn thick(name: &str, values: &[(&str, f64)], dimensions: Dimensions) -> (Design, Made) {
+    let mut chosen = template(name).unwrap().defaults();
+    values.iter().for_each(|&(name, value)| chosen.set(name, Value::Number(value)).unwrap());
+    let mut design = chosen.design().unwrap();
+    (design.dimensions, design.thickness_mm) = (Some(dimensions), Some(3.0));
+    let made = make(&design, &mut Unwatched).unwrap();
+    (design, made)
+}
+
+/// Where an edge of a part lies in space.
+fn run(part: &Part, edge: &Edge) -> Vec<Point3> {
+    edge.run.iter().map(|&n| part.sheet.mesh().positions()[n]).collect()
+}
+
+/// How far a point lies from a line of points.
+fn off_line(p: Point3, line: &[Point3]) -> f64 {
+    let off = |step: &[Point3]| {
+        let way = step[1] - step[0];
+        let t = ((p - step[0]).dot(way) / way.dot(way)).clamp(0.0, 1.0);
+        p.distance(step[0] + way * t)
+    };
+    line.windows(2).map(off).fold(f64::INFINITY, f64::min)
+}
+
+/// The neutral surfaces of joined parts meet, and mouths stay in their planes.
+#[test]
+fn thick_ducts_stand_on_their_mouths_and_meet_where_they_are_joined() {
+    let cases: [(&str, &[(&str, f64)]); 6] = [
+        ("elbow", &[]),
+        ("elbow", &[("segments", 3.0)]),
+        ("y-branch", &[]),
+        ("y-branch", &[("trunk", 200.0), ("branch", 200.0), ("angle", 60.0)]),
+        ("reducer", &[]),
+        ("square-to-round", &[("offset-x", 80.0), ("tilt", 30.0)]),
+    ];
+    for (name, values) in cases {
+        for dimensions in [Dimensions::Inside, Dimensions::Outside] {
+            let (design, made) = thick(name, values, dimensions);
+            let (mut off_mouth, mut apart) = (0.0_f64, 0.0_f64);
+            for part in &made.parts {
+                for edge in
+                    part.edges.iter().filter(|edge| matches!(edge.source, EdgeSource::Curve(_)))
+                {
+                    let line = run(part, edge);
+                    if edge.mates.is_empty() {
+                        let drawn = points(&design, &edge.name);
+                        let third = drawn.len() / 3;
+                        let [a, b, c] = [0, third, 2 * third].map(|n| drawn[n]);
+                        let normal = (b - a).cross(c - a);
+                        let off = |p: &Point3| ((*p - a).dot(normal) / normal.length()).abs();
+                        off_mouth = line.iter().map(off).fold(off_mouth, f64::max);
+                    }
+                    let mates: Vec<Vec<Point3>> = edge
+                        .mates
+                        .iter()
+                        .map(|mate| {
+                            let part = &made.parts[mate.part];
+                            run(part, &part.edges[mate.edge])
+                        })
+                        .collect();
+                    for p in line.iter().filter(|_| !mates.is_empty()) {
+                        let off = mates.iter().map(|mate| off_line(*p, mate));
+                        apart = apart.max(off.fold(f64::INFINITY, f64::min));
+                    }
+                }
+            }
+            println!("{name} {dimensions:?}: {off_mouth:.1e} mm off, {apart:.1e} mm apart");
+            assert!(off_mouth < 1e-9 && apart < 0.06, "{name}: {off_mouth} {apart}");
+            for part in &made.parts {
+                assert!(part.flat.overlap.is_none(), "{name} {}", part.name);
+            }
+        }
+    }
+}
+
+/// The square mouth of a neutral surface is a square: no sample of a side lies behind a corner.
+#[test]
+fn a_thick_square_mouth_is_a_larger_square() {
+    for (dimensions, way) in [(Dimensions::Inside, 1.0), (Dimensions::Outside, -1.0)] {
+        let (_, made) = thick("square-to-round", &[], dimensions);
+        let part = &made.parts[0];
+        let mouth = edges(&made, "square").next().unwrap();
+        // Half the thickness across a side that leans in by 50 mm on 350 mm of height.
+        let half = 200.0 + way * 1.5 * (350.0_f64 * 350.0 + 50.0 * 50.0).sqrt() / 350.0;
+        let line = run(part, mouth);
+        for p in &line {
+            let off = (p.x.abs().max(p.y.abs()) - half).abs().max(p.z.abs());
+            assert!(off < 1e-4, "{dimensions:?} {p:?} {half}");
+        }
+        let length: f64 = line.windows(2).map(|step| step[0].distance(step[1])).sum();
+        assert!((length - 8.0 * half).abs() < 1e-3, "{length} {}", 8.0 * half);
+        assert!((mouth.length_flat_mm - length).abs() < 1e-6);
     }
 }

@@ -16,6 +16,7 @@ mod fold;
 mod fold_lines;
 mod neutral;
 mod plan;
+mod plane_edges;
 mod rail;
 mod rounded;
 mod strip;
@@ -27,6 +28,7 @@ pub use plan::{Brake, BrakeFault, DIE_THICKNESSES, Hit, LEAST_SHARE, Reference, 
 
 pub(crate) use fold::fold_counts;
 pub(crate) use neutral::{bends_up, k_factor, neutral_surface};
+pub(crate) use plane_edges::plane_edges;
 pub(crate) use rounded::{Rounded, rounded};
 pub(crate) use tool::FoldTool;
 

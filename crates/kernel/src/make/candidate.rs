@@ -2,7 +2,9 @@
 //! cheapest, and the other one where there are two.
 
 use super::MakeCause;
-use crate::bend::{FoldTool, Rounded, bends_up, folded_edges, k_factor, neutral_surface, rounded};
+use crate::bend::{
+    FoldTool, Rounded, bends_up, folded_edges, k_factor, neutral_surface, plane_edges, rounded,
+};
 use crate::check::{Checked, CheckedFrom, Subject, check, mitred_folds, sheet_too_thick};
 use crate::design::Thick;
 use crate::elastic::{Predicted, screen};
@@ -12,6 +14,7 @@ use crate::measure::{CutFrom, Measures, RungMeasures, measures, rung_measures};
 use crate::sheet::Sheet;
 use crate::surface::{Connectivity, Surface};
 use sheetwright_geometry::boundary::{Boundary, SupportingPlane};
+use sheetwright_geometry::index::SampleIndex;
 use sheetwright_geometry::math::Point3;
 use sheetwright_geometry::watch::{Stage, Watch};
 use sheetwright_optimum::cost::Prices;
@@ -24,6 +27,8 @@ pub(super) struct Setting<'a> {
     pub(super) options: &'a TriangulateOptions,
     pub(super) material: Option<&'a Material>,
     pub(super) thick: Option<Thick>,
+    /// The steps along the ends between two rails.
+    pub(super) ends: &'a [[SampleIndex; 2]],
 }
 
 /// A surface through a boundary, laid flat and judged by a formula.
@@ -46,7 +51,7 @@ impl Setting<'_> {
         cut: &[Point3],
         watch: &mut dyn Watch,
     ) -> Result<Candidate, MakeCause> {
-        let &Self { boundary, plane, options, material, thick } = self;
+        let &Self { boundary, plane, options, material, thick, ends } = self;
         let connectivity = Connectivity::new(boundary.loops(), triangulation.triangles.clone())
             .map_err(MakeCause::Surface)?;
         let surface = Surface::new(connectivity, boundary.positions());
@@ -56,7 +61,8 @@ impl Setting<'_> {
             let rungs = rung_measures(&surface, &prices);
             let k = neutral_k(thick, material, &rungs);
             let Thick { dimensions, thickness_mm, .. } = thick;
-            (neutral_surface(&surface, &rungs, dimensions, thickness_mm, k), k, rungs)
+            let planes = plane_edges(boundary, ends);
+            (neutral_surface(&surface, &planes, dimensions, thickness_mm, k), k, rungs)
         });
         let to_lay = neutral.as_ref().map_or(&surface, |(neutral, ..)| neutral);
         let (sheet, flat) = lay_flat(to_lay, cut, watch).map_err(MakeCause::Flatten)?;

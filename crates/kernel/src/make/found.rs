@@ -61,8 +61,18 @@ fn make_as_asked(
     let known = known.insert(next);
     let cut = &panel.cut;
     let (material, thick) = (design.material.as_ref(), design.thick());
-    let setting =
-        Setting { boundary: &boundary, plane: plane.as_ref(), options: &options, material, thick };
+    // Ends that run on are curves, and hold the sheet as any other.
+    let is_end = |n: &usize| new_ends.is_none() && steps[*n].is_end();
+    let step = |n: usize| [n, boundary.next(n)].map(SampleIndex::new);
+    let ends = (0..boundary.len()).filter(is_end).map(step).collect::<Vec<_>>();
+    let setting = Setting {
+        boundary: &boundary,
+        plane: plane.as_ref(),
+        options: &options,
+        material,
+        thick,
+        ends: &ends,
+    };
     let failed = |cause| MakeError::of_panel(&panel.name, cause);
     let candidate = setting.candidate(&panel.name, &triangulation, cut, watch).map_err(failed)?;
     let Candidate { surface, sheet, flat, measures, predicted, mut checked } = candidate;
@@ -97,10 +107,6 @@ fn make_as_asked(
     let bends = design.bends_of(panel);
     let options_of_piece = PatternOptions { bends, is_net: false, is_bare };
     let piece = piece(&panel.name, &sheet, &flat, &edges, &measures, &marks, &options_of_piece);
-    // Ends that run on are curves, and hold the sheet as any other.
-    let is_end = |n: &usize| new_ends.is_none() && steps[*n].is_end();
-    let step = |n: usize| [n, boundary.next(n)].map(SampleIndex::new);
-    let ends = (0..boundary.len()).filter(is_end).map(step).collect();
     let found = Found {
         method: panel.method,
         goal: panel.goal,

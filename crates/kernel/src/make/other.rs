@@ -40,7 +40,8 @@ pub(super) fn add_other(
     else {
         return Ok(false);
     };
-    let setting = Setting { boundary, plane, options, material, thick: part.thick };
+    let ends = &found.ends;
+    let setting = Setting { boundary, plane, options, material, thick: part.thick, ends };
     let candidate = setting.candidate(&part.name, &triangulation, &[], watch)?;
     let Candidate { surface, sheet, flat, measures, predicted, checked } = candidate;
     let options = PatternOptions { bends: part.bends, ..PatternOptions::default() };

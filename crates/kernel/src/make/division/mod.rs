@@ -184,7 +184,9 @@ impl<'a> Divider<'a> {
             Ok(found) => found,
         };
         let (material, thick) = (self.material, self.part.thick);
-        let setting = Setting { boundary: &boundary, plane, options, material, thick };
+        // Its edges end at its corners: it is judged, and no pattern of it is cut.
+        let boundary = &boundary;
+        let setting = Setting { boundary, plane, options, material, thick, ends: &[] };
         let candidate = match setting.candidate(&self.part.name, &triangulation, &[], watch) {
             Ok(candidate) => candidate,
             Err(_) if watch.stop() => return Err(Stopped),
