@@ -4,7 +4,7 @@
 //! each column is for.
 
 use crate::table::{guarded, quoted};
-use sheetwright::bend::{Brake, BrakeFault, DIE_THICKNESSES, Hit, Reference, hits};
+use sheetwright::bend::{Blank, Brake, BrakeFault, DIE_THICKNESSES, Hit, Reference, hits};
 use sheetwright::make::{CutItem, Made, Part};
 use sheetwright::math::to_deg;
 use std::fmt::Write as _;
@@ -29,7 +29,7 @@ impl BrakeSettings {
         let (die_mm, length_mm) =
             if self.rolls { (None, None) } else { (self.die_mm.or(usual_mm), self.length_mm) };
         let brake = Brake { die_mm, length_mm };
-        let of_part = |part: &Part| hits(&part.piece.bends, &part.edges, &part.flat.points, &brake);
+        let of_part = |part: &Part| hits(&blank(part), &brake);
         made.parts.iter().map(of_part).collect()
     }
 
@@ -48,6 +48,16 @@ impl BrakeSettings {
             }
         }
         out.into_bytes()
+    }
+}
+
+/// A part as it comes to the brake.
+fn blank(part: &Part) -> Blank<'_> {
+    Blank {
+        lines: &part.piece.bends,
+        outline: part.piece.outline(),
+        edges: &part.edges,
+        flat: &part.flat.points,
     }
 }
 
@@ -102,7 +112,7 @@ pub(crate) const BRAKE: [Column; 22] = [
     RIGHT_RADIUS,
     Column { name: "pitch_left_mm", cell: |_, _, hit| mm(hit.line.pitch_mm[0]) },
     Column { name: "pitch_right_mm", cell: |_, _, hit| mm(hit.line.pitch_mm[1]) },
-    Column { name: "warning", cell: |_, n, hit| warning(n, hit) },
+    Column { name: "warning", cell: |_, _, hit| warning(hit) },
 ];
 
 /// The columns of a plan for plate rolls: a row a station.
@@ -130,11 +140,12 @@ pub(crate) fn reference(part: &Part, hit: &Hit) -> String {
     }
 }
 
-/// What the brake can't do at a hit with this number, from 0, in words.
-pub(crate) fn warning(n: usize, hit: &Hit) -> String {
+/// What the brake can't do at a hit, in words.
+pub(crate) fn warning(hit: &Hit) -> String {
     let words = |fault: &BrakeFault| match *fault {
-        BrakeFault::Close { apart_mm, least_mm } => {
-            format!("{apart_mm:.1} mm from line {n}; half the die opening is {least_mm:.1} mm")
+        BrakeFault::Close { to, apart_mm, least_mm } => {
+            let number = to + 1;
+            format!("{apart_mm:.1} mm from line {number}; half the die opening is {least_mm:.1} mm")
         }
         BrakeFault::Long { length_mm, most_mm } => {
             format!("{length_mm:.0} mm long; the brake is {most_mm:.0} mm")

@@ -1,10 +1,11 @@
 //! Bend lines of surfaces whose bends are known.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::bend::{BendLine, Brake, BrakeFault, Reference, hits};
+use sheetwright::bend::{BendLine, Blank, Brake, BrakeFault, Reference, hits};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
-    BendMarks, BendRule, Bends, Design, DesignCurve, Dimensions, PanelMethod,
+    Allowance, BendMarks, BendRule, Bends, Corner, Design, DesignCurve, Dimensions, PanelMethod,
+    Trim, TrimKind, TrimOn,
 };
 use sheetwright::make::{Part, make};
 use sheetwright::math::{
@@ -218,11 +219,20 @@ fn lines_of_a_duct_pass_through_the_corners_of_its_rectangle() {
     assert_eq!(texts.count(), 24);
 }
 
+fn blank(part: &Part) -> Blank<'_> {
+    Blank {
+        lines: &part.piece.bends,
+        outline: part.piece.outline(),
+        edges: &part.edges,
+        flat: &part.flat.points,
+    }
+}
+
 #[test]
 fn gauges_are_square_to_the_line_from_the_edge_ahead() {
     let part = half_tube(201, BendRule::Number(20));
     let brake = Brake { die_mm: Some(70.0), length_mm: Some(500.0) };
-    let plan = hits(&part.piece.bends, &part.edges, &part.flat.points, &brake);
+    let plan = hits(&blank(&part), &brake);
     let mut running = 0.0;
     for (n, hit) in plan.iter().enumerate() {
         let Reference::Edge(edge) = hit.reference else { panic!("{n}: {:?}", hit.reference) };
@@ -239,8 +249,27 @@ fn gauges_are_square_to_the_line_from_the_edge_ahead() {
         let is_short = is(|fault| matches!(fault, BrakeFault::Short { .. }));
         assert_eq!(is_short, n == 0 || n == 19, "{n}");
     }
-    let unknown = hits(&part.piece.bends, &part.edges, &part.flat.points, &Brake::default());
+    let unknown = hits(&blank(&part), &Brake::default());
     assert!(unknown.iter().all(|hit| hit.faults.is_empty()));
+}
+
+#[test]
+fn gauges_go_to_the_edge_of_a_lap_where_it_is_cut() {
+    let mut design = Design::between(
+        "strip",
+        [("a", 0.0), ("b", 600.0)].map(|(name, y)| through(name, 401, arc(200.0, y, PI))),
+    );
+    design.panels[0].method = PanelMethod::Rails;
+    design.bends = Bends { rule: BendRule::Number(4), marks: BendMarks::Ticks };
+    let lap = Allowance { width: [15.0; 2], corner: Corner::ByLength };
+    design.trims = vec![Trim::new([TrimOn::All], TrimKind::Allowance(lap))];
+    let part = make(&design, &mut Unwatched).unwrap().parts.remove(0);
+    for (n, hit) in hits(&blank(&part), &Brake::default()).iter().enumerate() {
+        let Reference::Edge(edge) = hit.reference else { panic!("{:?}", hit.reference) };
+        assert_eq!(part.edges[edge].name, "end");
+        let wanted = 50.0 * PI * (3.5 - n as f64) + 15.0;
+        assert!(hit.gauges_mm.iter().all(|mm| (mm - wanted).abs() < 0.05), "{:?}", hit.gauges_mm);
+    }
 }
 
 #[test]
@@ -294,8 +323,8 @@ fn a_pipe_of_inside_dimensions_is_as_long_round_as_its_mean_fibre() {
     }
 }
 
-/// Of a duct whose sides lean, the mean fibre is half a millimetre farther out square to the sheet,
-/// so the mouth grows by less than π times 1 mm.
+/// Of a duct whose sides lean, the mean fibre is half a millimetre farther out square to the sheet.
+/// The mouth stays in its plane, so it grows by more than π times 1 mm.
 #[test]
 fn a_duct_of_inside_dimensions_is_as_long_round_its_mouth_as_its_cones() {
     let sizes = [("width", 600.0), ("diameter", 350.0)];
@@ -306,7 +335,9 @@ fn a_duct_of_inside_dimensions_is_as_long_round_its_mouth_as_its_cones() {
     let middle = |n: usize| {
         let normal = normal_of_corner(corner, 175.0, 350.0, 0.5 * PI * n as f64 / STEPS as f64);
         let angle = 0.5 * PI * n as f64 / STEPS as f64;
-        Point3::new(175.0 * cos(angle), 175.0 * sin(angle), 350.0) + normal * 0.5
+        let within = Vec3::new(normal.x, normal.y, 0.0);
+        let out = within * (0.5 / within.dot(within));
+        Point3::new(175.0 * cos(angle), 175.0 * sin(angle), 350.0) + out
     };
     let quarter: f64 = (0..STEPS).map(|n| middle(n).distance(middle(n + 1))).sum();
     println!("{drawn} mm as drawn, {inside} mm inside, {} mm of cones", 4.0 * quarter);

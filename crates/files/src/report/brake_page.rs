@@ -22,7 +22,7 @@ pub(super) fn brake_plan(page: &PartPage<'_>) -> Markup {
         "Pitch left / right, mm",
         "Warning",
     ];
-    let rows = hits.iter().enumerate().map(|(n, hit)| ((n + 1).to_string(), row(page, n, hit)));
+    let rows = hits.iter().enumerate().map(|(n, hit)| ((n + 1).to_string(), row(page, hit)));
     html! {
         h3 { "Bends, in order" }
         p {
@@ -34,7 +34,7 @@ pub(super) fn brake_plan(page: &PartPage<'_>) -> Markup {
     }
 }
 
-fn row(page: &PartPage<'_>, n: usize, hit: &Hit) -> Vec<String> {
+fn row(page: &PartPage<'_>, hit: &Hit) -> Vec<String> {
     let line = &hit.line;
     let pair = |numbers: [f64; 2]| numbers.map(|mm| decimal(mm, 1)).join(" / ");
     let place = |p: Point2| format!("{}, {}", decimal(p.x, 1), decimal(p.y, 1));
@@ -50,6 +50,6 @@ fn row(page: &PartPage<'_>, n: usize, hit: &Hit) -> Vec<String> {
         reference(page.part, hit),
         inside.unwrap_or_else(|| smooth(line.radius_mm())),
         smooth(line.pitch_mm),
-        warning(n, hit),
+        warning(hit),
     ]
 }

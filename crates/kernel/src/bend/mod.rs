@@ -24,7 +24,7 @@ mod tool;
 
 pub use fold::FOLDED_DEG;
 pub use fold_lines::Mitred;
-pub use plan::{Brake, BrakeFault, DIE_THICKNESSES, Hit, LEAST_SHARE, Reference, hits};
+pub use plan::{Blank, Brake, BrakeFault, DIE_THICKNESSES, Hit, LEAST_SHARE, Reference, hits};
 
 pub(crate) use fold::fold_counts;
 pub(crate) use neutral::{bends_up, k_factor, neutral_surface};

@@ -17,7 +17,7 @@ pub(crate) fn mitred_folds(
 pub fn braking(hits: &[Hit]) -> Vec<Finding> {
     let faults = || hits.iter().flat_map(|hit| &hit.faults);
     let close = worst(faults().filter_map(|fault| match *fault {
-        BrakeFault::Close { apart_mm, least_mm } => Some((apart_mm, least_mm)),
+        BrakeFault::Close { apart_mm, least_mm, .. } => Some((apart_mm, least_mm)),
         _ => None,
     }));
     let long = worst(faults().filter_map(|fault| match *fault {
