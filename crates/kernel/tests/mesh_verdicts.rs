@@ -370,6 +370,49 @@ fn cylinders_and_cones_bend_with_noise_and_without() {
     assert_eq!(verdict(&part), Verdict::Bends, "{}", strain(&part));
 }
 
+/// A cone of 300 mm with its base open, in so many sides and rings.
+fn open_cone([sides, rings]: [usize; 2], radius: f64, material: Material) -> Part {
+    let mut positions = vec![Point3::new(0.0, 0.0, 300.0)];
+    let mut triangles = Vec::new();
+    for ring in 1..=rings {
+        let down = ring as f64 / rings as f64;
+        for side in 0..sides {
+            let angle = TAU * side as f64 / sides as f64;
+            let out = down * radius;
+            let at = Point3::new(out * cos(angle), out * sin(angle), 300.0 * (1.0 - down));
+            let number = |ring: usize, side: usize| match ring {
+                0 => VertexIndex::new(0),
+                _ => VertexIndex::new(1 + (ring - 1) * sides + side % sides),
+            };
+            let [a, b] = [side, side + 1].map(|side| number(ring - 1, side));
+            let [c, d] = [side, side + 1].map(|side| number(ring, side));
+            triangles.push([a, c, d]);
+            if ring > 1 {
+                triangles.push([a, d, b]);
+            }
+            positions.push(at);
+        }
+    }
+    made(positions, triangles, Some(material))
+}
+
+#[test]
+fn a_cone_with_an_open_base_is_cut_to_its_point_in_however_few_rings() {
+    for radius in [100.0, 250.0] {
+        for cells in [[24, 1], [36, 1], [48, 1], [48, 4], [36, 6]] {
+            let part = open_cone(cells, radius, steel(1.0));
+            assert!(part.measures.length_error_max < 1e-6, "{cells:?}");
+            assert_eq!(part.flat.overlap, None, "{cells:?}");
+            let is_rolled = matches!(verdict(&part), Verdict::Roll);
+            assert!(is_rolled || radius < 200.0, "{radius} {cells:?} {:?}", verdict(&part));
+            // The slope of the cone from its point to its base, and the base, flat.
+            let slope = (radius * radius + 90_000.0_f64).sqrt();
+            let area = 0.5 * TAU * radius * slope;
+            assert!((part.piece.area_mm2() / area - 1.0).abs() < 0.02, "{cells:?}");
+        }
+    }
+}
+
 /// A shop rolls to the radius that it reads: that of the pipe, however it was divided.
 #[test]
 fn half_a_pipe_is_rolled_to_its_radius() {
@@ -428,5 +471,61 @@ fn a_mesh_is_bent_no_more_tightly_than_its_sheet_takes() {
         let is_said = part.checked.findings.iter().any(|finding| is_tight(&finding.kind));
         assert_eq!(is_said, !is_taken, "{radius}");
         assert_eq!(verdict(&part) == Verdict::WillNotBend, !is_taken, "{radius}");
+    }
+}
+
+/// The steps of a leg of a bracket.
+const LEG_STEPS: usize = 25;
+
+/// The profile of a bracket: legs of 100 mm, and round bends of a radius between them, each turning
+/// by 90° this way or the other.
+fn bracket(radius: f64, bends: &[f64], steps: usize) -> Vec<[f64; 2]> {
+    let (mut at, mut angle) = ([0.0, 0.0], 0.0);
+    let mut points = vec![at];
+    let forward =
+        |at: [f64; 2], far: f64, angle: f64| [at[0] + far * cos(angle), at[1] + far * sin(angle)];
+    for &way in bends {
+        for _ in 0..LEG_STEPS {
+            at = forward(at, 100.0 / LEG_STEPS as f64, angle);
+            points.push(at);
+        }
+        let step = 0.25 * TAU / steps as f64;
+        for _ in 0..steps {
+            at = forward(at, 2.0 * radius * sin(0.5 * step), angle + 0.5 * way * step);
+            angle += way * step;
+            points.push(at);
+        }
+    }
+    for _ in 0..LEG_STEPS {
+        at = forward(at, 100.0 / LEG_STEPS as f64, angle);
+        points.push(at);
+    }
+    points
+}
+
+#[test]
+fn brackets_are_formed_to_the_radius_of_their_bends() {
+    for radius in [3.0, 5.0, 10.0, 20.0, 40.0] {
+        for bends in [&[1.0][..], &[1.0, 1.0], &[1.0, -1.0]] {
+            let fine = bracket(radius, bends, 24);
+            let points = bracket(radius, bends, 8);
+            let rail = |z: f64| fine.iter().map(move |&[x, y]| Point3::new(x, y, z)).collect();
+            let curves = between([rail(0.0), rail(150.0)], Some(steel(2.0)));
+            let mut parts = vec![curves];
+            for rows in [1, 4] {
+                let cells = [points.len() - 1, rows];
+                let (positions, triangles) = grid(cells, Cut::Forth, |along, across| {
+                    let [x, y] = points[(along * cells[0] as f64).round() as usize];
+                    Point3::new(x, y, 150.0 * across)
+                });
+                parts.push(made(positions, triangles, Some(steel(2.0))));
+            }
+            for (n, part) in parts.iter().enumerate() {
+                assert_eq!(verdict(part), Verdict::Roll, "{radius} {bends:?} {n} {}", strain(part));
+                // The spline through the profile rounds off where a bend of 3 mm begins.
+                let found = 1.0 / part.predicted.as_ref().unwrap().curvature;
+                assert!((found / radius - 1.0).abs() < 0.12, "{radius} {bends:?} {n} {found}");
+            }
+        }
     }
 }

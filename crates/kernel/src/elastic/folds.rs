@@ -1,9 +1,10 @@
-//! The folds of a surface that was found, and which of them its boundary has itself.
+//! The folds of a surface that was found, which of them its boundary has itself, and the area
+//! beside each of its rungs.
 
 use crate::flatten::Flattened;
 use crate::measure::Measures;
 use crate::sheet::Sheet;
-use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{angle_between, atan2, to_deg};
 
 /// A fold is needed where the boundary turns in space by so much more or less than on the pattern,
@@ -45,6 +46,14 @@ impl<'a> Border<'a> {
         })
     }
 
+    /// Whether the boundary follows a bend of the surface at a rung: at both ends it turns in space
+    /// otherwise than on the pattern by at least half of the bend. A sheet is free to spread a bend
+    /// that the boundary does not have so.
+    pub(super) fn follows(&self, rung: usize, crease: f64) -> bool {
+        let least_deg = 0.5 * to_deg(crease.abs());
+        self.sheet.rung_ends()[rung].into_iter().all(|end| self.kink(end, 0) >= least_deg)
+    }
+
     /// By how much the border turns in space more or less than on the pattern, degrees, at a vertex
     /// so many steps after another.
     fn kink(&self, from: VertexIndex, steps: isize) -> f64 {
@@ -62,4 +71,15 @@ impl<'a> Border<'a> {
         let on_pattern = atan2(on_pattern, came.dot(goes));
         to_deg((in_space - on_pattern).abs())
     }
+}
+
+/// The area beside every rung, mm².
+pub(super) fn weights(sheet: &Sheet) -> Vec<f64> {
+    let mesh = sheet.mesh();
+    let area = |t: TriangleIndex| mesh.area_vector(t).length();
+    let beside = |&[a, b]: &[VertexIndex; 2]| -> f64 {
+        let edge = mesh.topology().edge_between(a, b).map(|n| &mesh.edges()[n]);
+        edge.map_or(0.0, |edge| edge.triangles.iter().flatten().map(|&t| area(t)).sum())
+    };
+    sheet.rung_ends().iter().map(beside).collect()
 }

@@ -4,7 +4,8 @@
 //! pattern. So one way judges all surfaces, and how a surface was divided into triangles does not
 //! matter.
 //!
-//! 1. Sharp creases that divide the mesh are scored: the sheet is held along them.
+//! 1. Sharp creases that divide the mesh are scored: the sheet is held along them, and so it is
+//!    along those of bends that are narrower than a net tells (`narrow`).
 //! 2. A mesh with points inside its border says more of the surface than its border does. Its sheet
 //!    may leave it by as much as sheet leaves a ruled surface, and no farther.
 //! 3. The pattern of such a mesh may be fitted to its sheet, if that would need force (`fit`); not
@@ -21,6 +22,7 @@
 //!    more than a theory of small strains holds for, their strain decides. So it does where no
 //!    sheet can be computed, with its doubt.
 
+use super::narrow::{Turn, narrow, tight, tightest};
 use super::predict::{FLAT, NETS, by_nets, stiffness_of};
 use super::rolled::{is_developable, rolled};
 use super::screen::by_formula;
@@ -33,7 +35,7 @@ use super::{
 use crate::flatten::Flattened;
 use crate::material::{EASY_SHARE, Limits, Material};
 use crate::measure::{Distortion, area_flat};
-use crate::mesh::{Mesh, crease_angles, scored_creases};
+use crate::mesh::{Mesh, MeshEdge, crease_angles, scored_creases};
 use crate::sheet::{Sheet, split_at};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -62,6 +64,8 @@ const CLEARLY: f64 = 0.79;
 /// A fitted pattern goes before the exact one of a strip where it leaves less than this share of
 /// the strain.
 const FAR_LESS: f64 = 2.0 / 3.0;
+/// A pattern has the lengths of its mesh that differ by no more than this share: rounded files.
+const EXACT: f64 = 1e-4;
 /// A mesh is computed in so many pieces at the most: of more, creases are facets that are meant.
 const MOST_PIECES: usize = 64;
 
@@ -83,12 +87,25 @@ pub fn predict_given(
     }
     let strain = distortion.strain_p95(sheet.mesh());
     let most = SMALL.max(BEYOND * limits_at(0.0).strain);
-    let folded = folded(sheet, flat).filter(|_| strain <= most);
-    let Some((folded, flat)) = folded else {
+    let limits = limits_at(0.0);
+    let turns = turns(sheet.mesh(), &limits);
+    let mut narrow = match (is_strip(sheet.mesh()), distortion.length_error_max <= EXACT) {
+        (true, _) => narrow(&turns, area, &limits),
+        // Where lengths are true, the sheet is strained by no crease.
+        (false, true) => dividing(sheet.mesh(), tight(&turns, area, &limits)),
+        (false, false) => Vec::new(),
+    };
+    let mut pieces = folded(sheet, flat, &narrow);
+    if pieces.is_none() {
+        narrow.clear();
+        pieces = folded(sheet, flat, &narrow);
+    }
+    let Some((folded, flat)) = pieces.filter(|_| strain <= most) else {
         return Some(Predicted::of_pattern(limits_at(0.0), strain));
     };
     let reading = reading_of(folded.mesh());
-    let curvature = curvature_of(&folded, &flat, reading);
+    let tightest = tightest(&turns, &narrow);
+    let curvature = curvature_of(&folded, &flat, (reading, !narrow.is_empty()));
     let limits = limits_at(curvature);
     let warp = if is_strip(folded.mesh()) { least_warp(folded.mesh()) } else { 0.0 };
     let is_flat = strain <= EASY_SHARE * limits.strain;
@@ -101,6 +118,7 @@ pub fn predict_given(
         nets: &NETS,
         enough: EASY_SHARE,
         curvature,
+        tightest,
         is_developable,
     };
     let is_one = folded.mesh().components().len() == 1;
@@ -110,7 +128,10 @@ pub fn predict_given(
         Err(error) if is_strip(given.sheet.mesh()) => {
             Some(strip_by_formula(&folded, given.limits, curvature, error))
         }
-        Err(_) => Some(Predicted::of_pattern(given.limits, strain)),
+        Err(_) => {
+            let curvature = curvature.max(tightest);
+            Some(Predicted { curvature, ..Predicted::of_pattern(given.limits, strain) })
+        }
         Ok(predicted) if predicted.usage_range()[0] <= 1.0 => Some(predicted),
         Ok(predicted) => {
             let takes = |mm: f64| given.takes_in(mm, fits, watch);
@@ -131,6 +152,8 @@ struct Given<'a> {
     enough: f64,
     /// That of its surface, 1/mm.
     curvature: f64,
+    /// That of its narrow bends, 1/mm; 0 without any.
+    tightest: f64,
     /// Whether its surface is developable, as far as its triangles tell.
     is_developable: bool,
 }
@@ -164,7 +187,7 @@ impl Given<'_> {
         }
         let again =
             |limits: &Limits| Given { limits: limits.clone(), ..*self }.elastic(fits, watch).ok();
-        let found = rolled(elastic, self.curvature, again);
+        let found = rolled(elastic, [self.curvature, self.tightest], again);
         if watch.stop() { Err(ElasticError::Stopped) } else { Ok(found) }
     }
 
@@ -216,7 +239,8 @@ impl Given<'_> {
     /// Whether it could not take its shape more easily: it bends freely, or its surface itself has
     /// it rolled. That a twisted strip is curved so much can't be told from its creases.
     fn is_at_best(&self, predicted: &Predicted) -> bool {
-        let is_rolled = self.yields_at(self.curvature) && !self.is_twisted();
+        let curvature = self.curvature.max(self.tightest);
+        let is_rolled = self.yields_at(curvature) && !self.is_twisted();
         let best = if is_rolled { Ease::Yields } else { Ease::Easy };
         self.ease(predicted) >= best
     }
@@ -255,7 +279,7 @@ impl Given<'_> {
     }
 
     fn predicted(&self, held: Held, watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
-        by_nets(self.nets, &self.limits, |options, coarser| {
+        let predicted = by_nets(self.nets, &self.limits, |options, coarser| {
             let Some(coarser) = coarser else {
                 return self.at_rest(&self.limits, held, options, None, watch);
             };
@@ -265,7 +289,8 @@ impl Given<'_> {
                 Err(ElasticError::NoRest) => self.at_rest(&self.limits, held, options, None, watch),
                 found => found,
             }
-        })
+        })?;
+        Ok(Predicted { curvature: predicted.curvature.max(self.tightest), ..predicted })
     }
 
     /// Whether a sheet of this thickness, mm, takes the shape clearly on the first net, with the
@@ -298,6 +323,7 @@ impl Given<'_> {
             fits_anyway,
             starts,
             reading,
+            leaves_needles: self.tightest > 0.0,
             ..*options
         };
         let stiffness = stiffness_of(limits, self.size_mm());
@@ -320,7 +346,7 @@ pub fn screen_given(
     if !is_strip(sheet.mesh()) {
         return Predicted::of_pattern(Limits::of(material, area, 0.0), strain);
     }
-    let curvature = curvature_of(sheet, flat, Reading::Smooth);
+    let curvature = curvature_of(sheet, flat, (Reading::Smooth, false));
     let limits = Limits::of(material, area, curvature);
     by_formula(limits, curvature, warp_squared(sheet.mesh()))
 }
@@ -335,13 +361,46 @@ fn reading_of(mesh: &Mesh) -> Reading {
     if is_strip(mesh) { Reading::Smooth } else { Reading::Facets }
 }
 
-/// The sheet cut along the sharp creases that divide it; `None` where it falls into many pieces.
+/// The turns of a mesh at its sides, of a sheet with these limits.
+fn turns(mesh: &Mesh, limits: &Limits) -> Vec<Turn> {
+    let creases = crease_angles(mesh).into_iter().zip(scored_creases(mesh)).zip(warps(mesh));
+    let turn = |(edge, ((angle, scored), warp)): (&MeshEdge, ((f64, f64), f64))| {
+        let [from, to] = edge.ends.map(|v| mesh.position(v));
+        let area = |t: TriangleIndex| mesh.area_vector(t).length();
+        let area_mm2 = edge.triangles.iter().flatten().map(|&t| area(t)).sum();
+        let is_bent = scored == 0.0 && is_developable(limits, warp * warp);
+        // The triangles of a strip mostly come in their order.
+        let place = edge.triangles.iter().flatten().map(|t| t.get()).min().unwrap_or(0);
+        Turn { angle, length_mm: from.distance(to), area_mm2, place, is_bent }
+    };
+    mesh.edges().iter().zip(creases).map(turn).collect()
+}
+
+/// Those of some sides that divide a mesh, cut along all of them. At the point of a cone narrow
+/// triangles meet, and their sides divide nothing.
+fn dividing(mesh: &Mesh, mut sides: Vec<usize>) -> Vec<usize> {
+    let Ok(apart) = split_at(mesh, |n| sides.binary_search(&n).is_ok()) else { return Vec::new() };
+    let mut piece_of = vec![0; mesh.triangles().len()];
+    for (n, piece) in apart.mesh().components().iter().enumerate() {
+        piece.triangles.iter().for_each(|t| piece_of[t.get()] = n);
+    }
+    sides.retain(|&n| match mesh.edges()[n].triangles {
+        [Some(a), Some(b)] => piece_of[a.get()] != piece_of[b.get()],
+        _ => false,
+    });
+    sides
+}
+
+/// The sheet cut along the sharp creases that divide it, and along those of `narrow` bends; `None`
+/// where it falls into many pieces.
 fn folded<'a>(
     sheet: &'a Sheet,
     flat: &'a Flattened,
+    narrow: &[usize],
 ) -> Option<(Cow<'a, Sheet>, Cow<'a, Flattened>)> {
     let scored = scored_creases(sheet.mesh());
-    let folded = split_at(sheet.mesh(), |n| scored[n] > 0.0).ok()?;
+    let is_narrow = |n: usize| narrow.binary_search(&n).is_ok();
+    let folded = split_at(sheet.mesh(), |n| scored[n] > 0.0 || is_narrow(n)).ok()?;
     match folded.mesh().components().len() {
         1 => Some((Cow::Borrowed(sheet), Cow::Borrowed(flat))),
         pieces if pieces > MOST_PIECES => None,
@@ -356,9 +415,9 @@ fn folded<'a>(
 /// The curvature that 95 % of the area of a surface stays below, 1/mm: the lesser of that on a net,
 /// which curls by up to a tenth more at facets and beside its border, and of that by its creases,
 /// which tells too much where sides run askew to the bend, or points are off the surface.
-fn curvature_of(sheet: &Sheet, flat: &Flattened, reading: Reading) -> f64 {
+fn curvature_of(sheet: &Sheet, flat: &Flattened, read: (Reading, bool)) -> f64 {
     let by_creases = curvature_by_creases(sheet.mesh());
-    let on_net = curvature_of_surface(sheet, flat, reading);
+    let on_net = curvature_of_surface(sheet, flat, read);
     on_net.map_or(by_creases, |on_net| on_net.min(by_creases))
 }
 

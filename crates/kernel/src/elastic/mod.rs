@@ -38,6 +38,7 @@ mod fit;
 mod folds;
 mod given;
 mod hold;
+mod narrow;
 mod net;
 mod newton;
 mod outline;
@@ -98,6 +99,9 @@ pub struct ElasticOptions {
     pub starts: usize,
     /// How the triangles of the surface are taken. Default: they are the surface.
     pub reading: Reading,
+    /// Whether components that are narrower than a side of the net are left out, if they are a
+    /// small part of the sheet: the facets of narrow bends. Default: no.
+    pub leaves_needles: bool,
 }
 
 impl Default for ElasticOptions {
@@ -111,6 +115,7 @@ impl Default for ElasticOptions {
             fits_anyway: false,
             starts: 1,
             reading: Reading::Facets,
+            leaves_needles: false,
         }
     }
 }
@@ -231,7 +236,8 @@ fn at_rest(
 ) -> Result<Elastic, ElasticError> {
     let Task { sheet, flat, edges, coarser } = *task;
     let outline = options.band_mm.map_or(Outline::Sampled, |_| Outline::Coarse);
-    let net = Net::new(sheet, flat, edges, options.triangles, outline, options.reading);
+    let read = (options.reading, options.leaves_needles);
+    let net = Net::new(sheet, flat, edges, options.triangles, outline, read);
     let mut net = net.ok_or(ElasticError::NoNet)?;
     // The bending form takes differences of products of positions: near to the origin, few digits
     // are lost.
@@ -279,10 +285,10 @@ fn at_rest(
 
 /// The curvature that 95 % of the area of a surface stays below, 1/mm, on a net of the default
 /// size; `None` where there is no net.
-fn curvature_of_surface(sheet: &Sheet, flat: &Flattened, reading: Reading) -> Option<f64> {
+fn curvature_of_surface(sheet: &Sheet, flat: &Flattened, read: (Reading, bool)) -> Option<f64> {
     let triangles = ElasticOptions::default().triangles;
     let held = Edges::default();
-    let net = Net::new(sheet, flat, &held, triangles, Outline::Coarse, reading)?;
+    let net = Net::new(sheet, flat, &held, triangles, Outline::Coarse, read)?;
     let energy = Energy::new(&net, Stiffness::new(1.0, 1.0, 0.3))?;
     Some(at_share(&energy.curvatures(&net.space), &energy.areas(), DECIDES))
 }

@@ -10,6 +10,7 @@ use super::hold::{Edges, Stretch};
 use super::outline::{Divided, OnBorder, Outline, divided};
 use super::surface::{Reading, Surface};
 use crate::flatten::Flattened;
+use crate::mesh::Component;
 use crate::sheet::Sheet;
 use sheetwright_geometry::index::VertexIndex;
 use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};
@@ -26,6 +27,12 @@ const MOST_TIMES: usize = 8;
 /// outline of a strip 100 times as long as wide takes less than one for each, of one 10,000 times
 /// as long seven.
 const MOST_SIDES: f64 = 8.0;
+
+/// A component narrower than this share of a side of the net is a needle: corners that are nearer
+/// to one another are none.
+const NEEDLE: f64 = 0.6;
+/// Needles are left out up to this share of the area.
+const MOST_OF_NEEDLES: f64 = 0.25;
 
 /// A net over a flat sheet.
 pub(super) struct Net {
@@ -56,15 +63,16 @@ pub(super) struct InnerSide {
 }
 
 impl Net {
-    /// A net of about so many triangles in all, each component of the sheet by itself; `None` where
-    /// an outline can't be divided so, as where the pattern overlaps itself or is a needle.
+    /// A net of about so many triangles in all, each component of the sheet by itself, perhaps
+    /// without those that are needles; `None` where an outline can't be divided so, as where the
+    /// pattern overlaps itself or is a needle.
     pub(super) fn new(
         sheet: &Sheet,
         flat: &Flattened,
         held: &Edges,
         triangles: usize,
         outline: Outline,
-        reading: Reading,
+        (reading, leaves_needles): (Reading, bool),
     ) -> Option<Self> {
         let area = crate::measure::area_flat(sheet, flat);
         // An equilateral triangle with a side s has an area of √3/4 s².
@@ -85,7 +93,9 @@ impl Net {
             border: Vec::new(),
             over: Vec::new(),
         };
-        for component in sheet.mesh().components() {
+        let is_needle = needles(sheet, flat, side_mm);
+        let components = sheet.mesh().components().iter().zip(is_needle);
+        for (component, _) in components.filter(|(_, is_needle)| !(leaves_needles && *is_needle)) {
             let lines = component.loops.iter().map(|&n| &sheet.loops()[n]);
             let loops: Vec<Divided> =
                 lines.map(|line| divided(sheet, flat, line, side_mm, outline, held)).collect();
@@ -243,12 +253,35 @@ fn key(a: usize, b: usize) -> [usize; 2] {
 
 /// The length of all loops of the pattern, mm.
 fn outline_mm(sheet: &Sheet, flat: &Flattened) -> f64 {
-    let around = |line: &Vec<VertexIndex>| -> f64 {
-        let next = line.iter().cycle().skip(1);
-        let point = |v: &VertexIndex| flat.points[v.get()];
-        line.iter().zip(next).map(|(a, b)| point(a).distance(point(b))).sum()
+    sheet.loops().iter().map(|line| around_mm(line, flat)).sum()
+}
+
+fn around_mm(line: &[VertexIndex], flat: &Flattened) -> f64 {
+    let next = line.iter().cycle().skip(1);
+    let point = |v: &VertexIndex| flat.points[v.get()];
+    line.iter().zip(next).map(|(a, b)| point(a).distance(point(b))).sum()
+}
+
+/// The components that are narrower than a side of the net, as the facets of a narrow bend between
+/// its rulings, where they are a small part of the sheet. They are held all round, and strained as
+/// their patterns are.
+fn needles(sheet: &Sheet, flat: &Flattened, side_mm: f64) -> Vec<bool> {
+    let mesh = sheet.mesh();
+    let area = |component: &Component| -> f64 {
+        component.triangles.iter().map(|&t| 0.5 * mesh.area_vector(t).length()).sum()
     };
-    sheet.loops().iter().map(around).sum()
+    let is_needle = |component: &Component| {
+        let around: f64 = component.loops.iter().map(|&n| around_mm(&sheet.loops()[n], flat)).sum();
+        2.0 * area(component) < NEEDLE * side_mm * around
+    };
+    let components = mesh.components();
+    let found: Vec<bool> = components.iter().map(is_needle).collect();
+    let [mut of_needles, mut whole] = [0.0; 2];
+    for (component, &is_needle) in components.iter().zip(&found) {
+        whole += area(component);
+        of_needles += if is_needle { area(component) } else { 0.0 };
+    }
+    if of_needles <= MOST_OF_NEEDLES * whole { found } else { vec![false; components.len()] }
 }
 
 #[cfg(test)]
@@ -267,7 +300,7 @@ mod tests {
         let sheet = cut_along(&mesh, &Cut::new()).unwrap();
         let points = flat.iter().map(|[x, y]| Point2::new(*x, *y)).collect();
         let (flat, held) = (Flattened { points, overlap: None }, Edges::default());
-        Net::new(&sheet, &flat, &held, 350, Outline::Sampled, Reading::Facets)
+        Net::new(&sheet, &flat, &held, 350, Outline::Sampled, (Reading::Facets, false))
     }
 
     #[test]

@@ -6,15 +6,17 @@
 //! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
 //!    computed with all of them scored. They are needed if that helps.
 //!    If it is developable and yields, it is computed as one that is rolled (`rolled`).
+//!    Bends that are narrower than a net tells are held as they are (`narrow`).
 //! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
 //!    lies between what they give and what they tend to, nobody can tell.
 //! 4. Of a sheet that does not take its shape, the thickest one that does is looked for.
 //! 5. A sheet whose pattern overlaps itself has no net; it is computed in pieces.
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
-use super::folds::{Border, folds};
+use super::folds::{Border, folds, weights};
+use super::narrow::narrow_rungs;
 use super::rolled::{is_developable, rolled};
-use super::screen::weights;
+use super::screen::curvature_of_rungs;
 use super::thickest::thickest_mm;
 use super::{
     Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, at_share,
@@ -109,7 +111,9 @@ impl Judge<'_> {
             return Some(elastic);
         }
         let again = |limits: &Limits| Judge { limits, ..*self }.elastic(screened, watch);
-        Some(rolled(elastic, screened.curvature, again))
+        let curvature = curvature_of_rungs(self.measures, &weights(self.sheet));
+        let (_, tightest) = narrow_rungs(self.sheet, self.flat, self.measures, self.limits);
+        Some(rolled(elastic, [curvature, tightest], again))
     }
 
     /// Whether the surface is developable, as far as its samples tell, and smooth.
@@ -202,11 +206,19 @@ impl Judge<'_> {
         scored: &[usize],
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
+        let Self { sheet, flat, measures, limits, .. } = *self;
+        let (narrow, tightest) = narrow_rungs(sheet, flat, measures, limits);
+        let mut held = [scored, &narrow[..]].concat();
+        held.sort_unstable();
+        held.dedup();
+        let leaves_needles = !narrow.is_empty();
         let at_rest = |options: &ElasticOptions, _: Option<&Elastic>| {
-            self.at_rest(self.limits, scored, options, watch)
+            let options = ElasticOptions { leaves_needles, ..*options };
+            self.at_rest(limits, &held, &options, watch)
         };
-        let predicted = by_nets(self.nets, self.limits, at_rest)?;
-        Ok(Predicted { scored: scored.to_vec(), ..predicted })
+        let predicted = by_nets(self.nets, limits, at_rest)?;
+        let curvature = predicted.curvature.max(tightest);
+        Ok(Predicted { scored: scored.to_vec(), curvature, ..predicted })
     }
 
     /// The prediction for a sheet whose pattern overlaps itself: cut along some rungs, evenly, into

@@ -37,18 +37,19 @@ fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {
 /// What is predicted of a sheet whose surface is developable and has this curvature, 1/mm: what is
 /// predicted of the `elastic` one or, where that may not take its shape but yields, of one that is
 /// rolled, with the limits that `again` gets, if that takes its shape. That its edges curl a little
-/// more than the surface counts for nothing.
+/// more than the surface, or than the tightest of its narrow bends, counts for nothing.
 pub(super) fn rolled(
     elastic: Predicted,
-    curvature: f64,
+    [curvature, tightest]: [f64; 2],
     again: impl FnOnce(&Limits) -> Option<Predicted>,
 ) -> Predicted {
-    let as_surface = |p: Predicted| Predicted { curvature: p.curvature.min(curvature), ..p };
+    let most = curvature.max(tightest);
+    let as_surface = |p: Predicted| Predicted { curvature: p.curvature.min(most), ..p };
     let elastic = as_surface(elastic);
     // What a formula says counts as it is: its range would take in nearly every sheet.
     let is_screen = elastic.basis == Basis::Screen;
-    let most = if is_screen { elastic.usage() } else { elastic.usage_range()[1] };
-    if most <= 1.0 {
+    let usage = if is_screen { elastic.usage() } else { elastic.usage_range()[1] };
+    if usage <= 1.0 {
         return elastic;
     }
     let rolled = yielding(&elastic.limits, curvature).and_then(|limits| again(&limits));

@@ -16,14 +16,14 @@
 //! 5 mm by .26 to .30 of it. The folds stay where the sheet so smoothed would use more than it
 //! takes.
 
-use super::folds::{Border, folds};
+use super::folds::{Border, folds, weights};
+use super::narrow::narrow_rungs;
 use super::rolled::{is_developable, rolled};
 use super::{Basis, DECIDES, Predicted, at_share};
 use crate::flatten::Flattened;
 use crate::material::{Limits, Material};
 use crate::measure::{Measures, RungMeasures};
 use crate::sheet::Sheet;
-use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 
 /// The strain of the elastic sheet is at least that of the formula over this factor and at most
 /// that times it, on nine panels of ten.
@@ -35,20 +35,32 @@ const TIGHTER: f64 = 2.0;
 /// The least strain of a sheet that smooths a fold, as a share of that of its outer fibre.
 const RESISTED: f64 = 0.25;
 
-/// What a formula predicts of a sheet whose surface was found, and the folds that it scores.
+/// What a formula predicts of a sheet whose surface was found, and the folds that it scores. Narrow
+/// bends strain it by nothing, but count by how tight they are.
 pub fn screen(
     sheet: &Sheet,
     flat: &Flattened,
     measures: &Measures,
     material: Option<&Material>,
 ) -> Predicted {
+    let predicted = beside_narrow(sheet, flat, measures, material);
+    let (_, tightest) = narrow_rungs(sheet, flat, measures, &predicted.limits);
+    Predicted { curvature: predicted.curvature.max(tightest), ..predicted }
+}
+
+/// What it predicts of a sheet with all its bends as parts of its area.
+fn beside_narrow(
+    sheet: &Sheet,
+    flat: &Flattened,
+    measures: &Measures,
+    material: Option<&Material>,
+) -> Predicted {
     let weights = weights(sheet);
-    let of_rungs = |of: fn(&RungMeasures) -> f64| measures.rungs.iter().map(of);
-    let curvatures: Vec<f64> = of_rungs(|rung| 1.0 / rung.bend_radius_mm).collect();
-    let curvature = at_share(&curvatures, &weights, DECIDES);
+    let curvature = curvature_of_rungs(measures, &weights);
     let whole: f64 = weights.iter().sum();
-    let squares: f64 =
-        of_rungs(|rung| rung.warp * rung.warp).zip(&weights).map(|(w, a)| w * a).sum();
+    let squares =
+        measures.rungs.iter().zip(&weights).map(|(rung, area)| rung.warp * rung.warp * area);
+    let squares: f64 = squares.sum();
     let warp_squared = if whole > 0.0 { squares / whole } else { 0.0 };
     let limits = |curvature| Limits::of(material, measures.area_flat_mm2, curvature);
     let scored = folds(measures, |_| true);
@@ -80,6 +92,14 @@ pub fn screen(
     }
 }
 
+/// The curvature that 95 % of the area of a sheet stays below, 1/mm, where its rungs have these
+/// weights.
+pub(super) fn curvature_of_rungs(measures: &Measures, weights: &[f64]) -> f64 {
+    let curvature = |rung: &RungMeasures| 1.0 / rung.bend_radius_mm;
+    let curvatures: Vec<f64> = measures.rungs.iter().map(curvature).collect();
+    at_share(&curvatures, weights, DECIDES)
+}
+
 /// The warp, radians, and the curvature, 1/mm, of a sheet that smooths these folds.
 fn smoothed(
     sheet: &Sheet,
@@ -104,7 +124,7 @@ pub(super) fn by_formula(limits: Limits, curvature: f64, warp_squared: f64) -> P
     };
     let elastic = predicted(&limits);
     if is_developable(&limits, warp_squared) {
-        return rolled(elastic, curvature, |yielding| Some(predicted(yielding)));
+        return rolled(elastic, [curvature, 0.0], |yielding| Some(predicted(yielding)));
     }
     elastic
 }
@@ -129,15 +149,4 @@ fn screened(limits: Limits, strain: f64, curvature: f64) -> Predicted {
         at_rest: None,
         thickest_mm: None,
     }
-}
-
-/// The area beside every rung, mm².
-pub(super) fn weights(sheet: &Sheet) -> Vec<f64> {
-    let mesh = sheet.mesh();
-    let area = |t: TriangleIndex| mesh.area_vector(t).length();
-    let beside = |&[a, b]: &[VertexIndex; 2]| -> f64 {
-        let edge = mesh.topology().edge_between(a, b).map(|n| &mesh.edges()[n]);
-        edge.map_or(0.0, |edge| edge.triangles.iter().flatten().map(|&t| area(t)).sum())
-    };
-    sheet.rung_ends().iter().map(beside).collect()
 }

@@ -3,12 +3,13 @@
 //! A mesh with seams is taken apart along them first (`seams`). Each connected component then
 //! becomes a part. A part that is closed or has a handle is cut open as far as that serves
 //! (`opened`); one with holes or open at both ends is laid flat as it is, and cut from border to
-//! border where that leaves less than half of the error. Where facets are folded, the mesh is
-//! divided into the pieces of a net instead ([`super::facets`]).
+//! border where that leaves less than half of the error; a cone, to its point. Where facets are
+//! folded, the mesh is divided into the pieces of a net instead ([`super::facets`]).
 
 use super::cleaned::Cleaned;
 use super::facets::{self, BodyWay, Folding, NetPiece};
 use super::laid::Laid;
+use super::opened::smooth_point;
 use super::part::{Given, Joint, Origin, Part};
 use super::rebuilt::rebuilt;
 use super::seams::{Sewn, Side, places, seams_within};
@@ -25,8 +26,8 @@ use crate::flatten::{Aim, FlattenError, RelaxOptions, Relaxed, relax};
 use crate::material::{Material, stretch_limit};
 use crate::measure::{CutFrom, cut_suggestion, distortion, measures};
 use crate::mesh::{
-    Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, cut_of_part, separated,
-    sides_along,
+    Before, Cut, Healing, Mesh, MeshError, Specks, crease_angles, cut_of_part, cut_through,
+    separated, sides_along,
 };
 use crate::nets::NetOptions;
 use crate::pattern::Piece;
@@ -408,8 +409,17 @@ fn laid_well(
     let may_be_closed = needs_cut || piece.is_disk();
     let mut cut = if may_be_closed { sewn.opened(watch) } else { sewn.seams() };
     let mut closed = lay(mesh, &cut, aim, watch);
-    if !needs_cut && !piece.is_disk() && is_poor(&closed, limit) && !watch.stop() {
-        let more = sewn.opened(watch);
+    let more = match piece.is_disk() {
+        _ if needs_cut || !is_poor(&closed, limit) || watch.stop() => None,
+        false => Some(sewn.opened(watch)),
+        true if seams.is_empty() => smooth_point(mesh).map(|point| {
+            let mut more = cut.clone();
+            cut_through(mesh, &mut more, &[point]);
+            more
+        }),
+        true => None,
+    };
+    if let Some(more) = more.filter(|more| more.len() > cut.len()) {
         let open = lay(mesh, &more, aim, watch);
         if is_better(&open, &closed) {
             (cut, closed) = (more, open);

@@ -8,12 +8,17 @@
 //! small that it is nearly closed is cut likewise.
 //!
 //! Where all that bends a mesh is a few corners, as of a solid with flat or rolled sides, the cut
-//! goes through all of them. Nothing is left to stretch then, and a shorter cut saves little.
+//! goes through all of them. Nothing is left to stretch then, and a shorter cut saves little. So it
+//! goes to the point of a cone with an open base, which is a disk, if the cone is poor without.
 
 use crate::flatten::conformal_scales;
-use crate::mesh::{Cut, Mesh, cut_through, cut_to_disk, worst_points};
+use crate::mesh::{
+    Cut, Mesh, SCORED_CREASE_DEG, angle_defects, crease_angles, cut_through, cut_to_disk,
+    worst_points,
+};
 use crate::sheet::cut_along;
 use sheetwright_geometry::index::VertexIndex;
+use sheetwright_geometry::math::from_deg;
 use sheetwright_geometry::watch::Watch;
 use std::f64::consts::LN_10;
 
@@ -30,6 +35,8 @@ const FEW: usize = 16;
 /// A vertex is a corner if its angles miss a full turn by more than this, radians: coordinates of
 /// six digits make a tenth of it.
 const CORNER: f64 = 1e-4;
+/// All that bends a cone is its point, if other angles miss less than this share of what its do.
+const ROUNDED: f64 = 0.02;
 
 /// The cut of a mesh of one component that is closed or has handles, or, if it has a border, is
 /// nearly closed; none for another disk.
@@ -55,6 +62,20 @@ pub(super) fn opened(mesh: &Mesh, watch: &mut dyn Watch) -> Cut {
         cut_through(mesh, &mut cut, &corners);
     }
     cut
+}
+
+/// The point of a mesh that is a smooth cone; `None` of any other, and of a pyramid, whose sides
+/// are folded.
+pub(super) fn smooth_point(mesh: &Mesh) -> Option<VertexIndex> {
+    let points = worst_points(mesh, CORNER);
+    let (&point, others) = points.split_first()?;
+    let defects = angle_defects(mesh);
+    let of = |point: VertexIndex| defects[point.get()];
+    let is_cone = of(point) > 0.0 && others.iter().all(|&n| of(n).abs() < ROUNDED * of(point));
+    let creases = mesh.edges().iter().zip(crease_angles(mesh));
+    let mut at_point = creases.filter(|(edge, _)| edge.ends.contains(&point));
+    let is_smooth = at_point.all(|(_, crease)| crease <= from_deg(SCORED_CREASE_DEG));
+    (is_cone && is_smooth).then_some(point)
 }
 
 /// The vertex of the mesh at which the conformal form of its sheet scales most, and the logarithm
