@@ -201,6 +201,26 @@ impl MakeArgs {
         let (pdf, brake) = (self.pdf.options(), self.brake.settings());
         OutputOptions { pdf, report, brake, ..self.files.options(design) }
     }
+
+    /// What is to be said of options that show in no file of a design in these formats.
+    pub(crate) fn idle(&self, design: &Design, formats: &[Format]) -> Vec<String> {
+        let lacks = |needed: &[Format]| !needed.iter().any(|format| formats.contains(format));
+        let mut said = Vec::new();
+        let mut say = |option: Option<&str>, is_idle: bool, why: &str| {
+            said.extend(option.filter(|_| is_idle).map(|option| format!("{option} {why}")));
+        };
+        let why = "has no effect without offsets among the --formats";
+        say(self.files.offsets_option(), lacks(&[Format::Offsets]), why);
+        let why = "has no effect without brake among the --formats";
+        say(self.brake.option(), lacks(&[Format::Brake]), why);
+        let why = "shows in no file without sheets, report or assembly among the --formats";
+        let shown = [Format::Sheets, Format::Report, Format::Assembly];
+        say(self.source.sheet_option(), lacks(&shown), why);
+        let why = "has no effect on the pattern without --dimensions, which is that of the surface \
+                   that was drawn";
+        say(self.source.thickness_option(), design.dimensions.is_none(), why);
+        said
+    }
 }
 
 #[derive(Debug, Args)]

@@ -104,8 +104,12 @@ fn one(
 
 fn read(input: &Path, form: &FormArgs, args: &MakeArgs, voice: Voice) -> Result<Design, Failure> {
     let design = source::design(input, form, &args.source, &args.mesh, voice)?;
-    refuse_unmade(&design, &formats(&design, args))?;
+    let formats = formats(&design, args);
+    refuse_unmade(&design, &formats)?;
     note_options(&design, &args.mesh, voice);
+    for idle in args.idle(&design, &formats) {
+        voice.note(&format!("note: {idle}"));
+    }
     Ok(design)
 }
 

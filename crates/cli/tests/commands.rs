@@ -438,6 +438,17 @@ fn what_the_call_sets_comes_before_what_the_input_says() {
     assert!(note.contains("--aim max has no effect"), "{note}");
     let (_, note) = desk.says("make leaf.csv --out out --aim max --quiet", 0);
     assert_eq!(note, "");
+    for (options, said) in [
+        ("--feet", "--feet has no effect without offsets among the --formats"),
+        ("--die 8mm", "--die has no effect without brake"),
+        ("--thickness 2mm", "--thickness has no effect on the pattern without --dimensions"),
+        ("--sheet 500x500mm --formats dxf", "--sheet shows in no file without sheets"),
+    ] {
+        let (_, note) = desk.says(&format!("make leaf.csv --out out {options}"), 0);
+        assert!(note.contains(said), "{note}");
+    }
+    let (_, note) = desk.says("make leaf.csv --out out --feet --formats offsets", 0);
+    assert!(!note.contains("has no effect"), "{note}");
 }
 
 /// Of a loop of 640 samples, threads share the table.

@@ -25,6 +25,16 @@ pub(crate) struct BrakeArgs {
 }
 
 impl BrakeArgs {
+    /// The first of its options that is given.
+    pub(super) fn option(&self) -> Option<&'static str> {
+        let all = [
+            ("--die", self.die.is_some()),
+            ("--brake-length", self.brake_length.is_some()),
+            ("--rolls", self.rolls),
+        ];
+        all.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
     pub(super) fn settings(&self) -> BrakeSettings {
         let Self { die, brake_length, rolls } = *self;
         BrakeSettings { die_mm: die, length_mm: brake_length, rolls }
@@ -69,6 +79,12 @@ pub(crate) struct FileArgs {
 }
 
 impl FileArgs {
+    /// The first option for `offsets.csv` that is given.
+    pub(super) fn offsets_option(&self) -> Option<&'static str> {
+        let all = [("--stations", self.stations.is_some()), ("--feet", self.feet)];
+        all.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
     /// The options for a design, which may say how its files are written.
     pub(crate) fn options(&self, design: &Design) -> OutputOptions {
         let of_design = OutputOptions::with_preset(design, self.preset);

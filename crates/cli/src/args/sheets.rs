@@ -75,6 +75,11 @@ impl DivideArg {
 }
 
 impl SheetArgs {
+    /// `--sheet`, if it is given.
+    pub(super) fn sheet_option(&self) -> Option<&'static str> {
+        (!self.sheet.is_empty()).then_some("--sheet")
+    }
+
     /// What is set, with the effort of the whole call.
     pub(crate) fn settings(&self, effort: Option<f64>) -> SheetSettings {
         SheetSettings {

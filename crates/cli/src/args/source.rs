@@ -214,6 +214,20 @@ fn scale(given: &str) -> Result<f64, String> {
 }
 
 impl SourceArgs {
+    /// `--sheet`, if it is given.
+    pub(super) fn sheet_option(&self) -> Option<&'static str> {
+        self.sheets.sheet_option()
+    }
+
+    /// The first option for the thickness of a face's sheet that is given.
+    pub(super) fn thickness_option(&self) -> Option<&'static str> {
+        let all = [
+            ("--thickness", self.thickness.is_some()),
+            ("--bend-radius", self.bend_radius.is_some()),
+        ];
+        all.into_iter().find_map(|(name, is_given)| is_given.then_some(name))
+    }
+
     /// What verdicts come from; where the call does not say it, `usual`.
     pub(crate) fn judging(&self, usual: Judging) -> Judging {
         match self.verdict {
