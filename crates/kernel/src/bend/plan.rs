@@ -169,7 +169,7 @@ impl Blank<'_> {
         let line = &self.lines[n];
         let length = line.length_mm();
         let along = unit2(line.ends[1] - line.ends[0]).unwrap_or_default();
-        let mut best: Option<(f64, [Point2; 2], [f64; 2], [f64; 2])> = None;
+        let mut best: Option<Touch> = None;
         for &ends in stops {
             let off = ends.map(|p| line.side_mm(p));
             let is_ahead = off.iter().all(|&off| off > 0.0);
@@ -180,7 +180,7 @@ impl Blank<'_> {
             let [low, high] = [at[0].min(at[1]).max(0.0), at[0].max(at[1]).min(length)];
             let slope = (off[1] - off[0]) / (at[1] - at[0]);
             let serves = slope.abs() <= 1.0 && high - low >= LEAST_TOUCHED * length;
-            if !serves || best.is_some_and(|(least, ..)| slope.abs() >= least) {
+            if !serves || best.as_ref().is_some_and(|best| slope.abs() >= best.aslant) {
                 continue;
             }
             let fingers = FINGERS.map(|share| low + (high - low) * share);
@@ -191,12 +191,16 @@ impl Blank<'_> {
                 self.first_met(n, [from, to]).is_none()
             };
             if is_flat(0) && is_flat(1) {
-                best = Some((slope.abs(), ends, fingers, gauges.map(f64::abs)));
+                let middle = ends[0].lerp(ends[1], 0.5);
+                let gauges = gauges.map(f64::abs);
+                best = Some(Touch { aslant: slope.abs(), middle, fingers, gauges });
             }
         }
-        let edge = best.and_then(|(_, ends, ..)| self.edge_at(ends[0].lerp(ends[1], 0.5)));
+        let edge = best.as_ref().and_then(|best| self.edge_at(best.middle));
         match (best, edge) {
-            (Some((_, _, fingers, gauges)), Some(edge)) => (Reference::Edge(edge), fingers, gauges),
+            (Some(Touch { fingers, gauges, .. }), Some(edge)) => {
+                (Reference::Edge(edge), fingers, gauges)
+            }
             _ => {
                 let fingers = FINGERS.map(|share| length * share);
                 let base = self.outline.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
@@ -285,6 +289,18 @@ impl Blank<'_> {
         }
         (near, beyond_mm)
     }
+}
+
+/// How both fingers touch a stretch of the cut line.
+struct Touch {
+    /// How it turns from the bend line, as a slope.
+    aslant: f64,
+    /// Its middle.
+    middle: Point2,
+    /// Where the fingers stand along the bend line, mm.
+    fingers: [f64; 2],
+    /// How far it is from the bend line there, mm.
+    gauges: [f64; 2],
 }
 
 /// What lies on the way from a line.
