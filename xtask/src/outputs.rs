@@ -12,7 +12,7 @@ use std::process::Command;
 use std::time::Instant;
 
 const HELP: &str = "`cargo xtask outputs` takes `--with COMMAND --out DIR` and, if need be, \
-                    `--only TEXT` for the inputs whose names hold it";
+                    `--only TEXT`, once or several times, for inputs whose names hold one";
 /// The folders with inputs of `make`.
 const INPUTS: [&str; 3] = ["examples", "examples/gallery", "corpus/good"];
 /// The formats for a curve table or a design: all that every one of them has. A mesh takes those
@@ -30,13 +30,13 @@ struct Job {
 
 /// Makes all inputs with the command that the arguments name.
 pub(crate) fn write() -> Result<(), String> {
-    let (mut with, mut out, mut only) = (None, None, String::new());
+    let (mut with, mut out, mut only) = (None, None, Vec::new());
     let arguments: Vec<String> = std::env::args().skip(2).collect();
     for pair in arguments.chunks(2) {
         match pair {
             [flag, value] if flag == "--with" => with = Some(value.clone()),
             [flag, value] if flag == "--out" => out = Some(PathBuf::from(value)),
-            [flag, value] if flag == "--only" => only.clone_from(value),
+            [flag, value] if flag == "--only" => only.push(value),
             _ => return Err(HELP.to_owned()),
         }
     }
@@ -53,7 +53,9 @@ pub(crate) fn write() -> Result<(), String> {
     }
     fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     let out = fs::canonicalize(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    for job in jobs()?.into_iter().filter(|job| job.folder.contains(&only)) {
+    let is_wanted =
+        |job: &Job| only.is_empty() || only.iter().any(|&text| job.folder.contains(text));
+    for job in jobs()?.into_iter().filter(is_wanted) {
         let begun = Instant::now();
         let status = run(&command, &job, &out.join(&job.folder))?;
         println!("{:6.1} s  status {status}  {}", begun.elapsed().as_secs_f64(), job.folder);

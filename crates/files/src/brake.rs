@@ -4,7 +4,7 @@
 //! each column is for.
 
 use crate::table::{guarded, quoted};
-use sheetwright::bend::{Blank, Brake, BrakeFault, DIE_THICKNESSES, Hit, Reference, hits};
+use sheetwright::bend::{Brake, BrakeFault, DIE_THICKNESSES, Hit, Reference, hits};
 use sheetwright::make::{CutItem, Made, Part};
 use sheetwright::math::to_deg;
 use std::fmt::Write as _;
@@ -29,7 +29,7 @@ impl BrakeSettings {
         let (die_mm, length_mm) =
             if self.rolls { (None, None) } else { (self.die_mm.or(usual_mm), self.length_mm) };
         let brake = Brake { die_mm, length_mm };
-        let of_part = |part: &Part| hits(&blank(part), &brake);
+        let of_part = |part: &Part| hits(&part.blank(), &brake);
         made.parts.iter().map(of_part).collect()
     }
 
@@ -48,16 +48,6 @@ impl BrakeSettings {
             }
         }
         out.into_bytes()
-    }
-}
-
-/// A part as it comes to the brake.
-fn blank(part: &Part) -> Blank<'_> {
-    Blank {
-        lines: &part.piece.bends,
-        outline: part.piece.outline(),
-        edges: &part.edges,
-        flat: &part.flat.points,
     }
 }
 

@@ -191,6 +191,9 @@ pub const DEFAULT_WARP_LIMIT_DEG: f64 = 6.0;
 /// [`sheetwright_geometry::tolerance::Tolerance::MOST_STRETCH`].
 pub const DEFAULT_STRETCH_LIMIT: f64 = 1e-3;
 
+/// The plastic moment of a plate over that at which it begins to yield.
+const PLASTIC: f64 = 1.5;
+
 /// Up to this share of its limit, a sheet takes its shape without force; above it, with force. A
 /// third: a choice, not a measurement, so that a warning comes well before the limit.
 pub const EASY_SHARE: f64 = 1.0 / 3.0;
@@ -282,6 +285,13 @@ impl Limits {
     /// The strain of the outer fibre, as a share, where the sheet has this curvature, 1/mm.
     pub fn outer_fibre_at(&self, curvature: f64) -> f64 {
         0.5 * self.thickness_mm * curvature
+    }
+
+    /// The curvature at which an elastic sheet would take the plastic moment of this one, 1/mm;
+    /// infinite of one that does not yield.
+    pub fn plastic_curvature(&self) -> f64 {
+        let of = |yields: f64| PLASTIC * yields / self.outer_fibre_at(1.0);
+        self.yields.map_or(f64::INFINITY, of)
     }
 
     /// How much of what it takes a strain in the plane and a curvature, 1/mm, use: 1 is the limit.

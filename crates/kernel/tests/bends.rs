@@ -1,7 +1,7 @@
 //! Bend lines of surfaces whose bends are known.
 #![allow(clippy::unwrap_used, clippy::print_stdout)] // tests panic and print what they measured
 
-use sheetwright::bend::{BendLine, Blank, Brake, BrakeFault, Reference, hits};
+use sheetwright::bend::{BendLine, Brake, BrakeFault, Reference, hits};
 use sheetwright::curve::{CurveKind, CurvePoint};
 use sheetwright::design::{
     Allowance, BendMarks, BendRule, Bends, Corner, Design, DesignCurve, Dimensions, PanelMethod,
@@ -219,20 +219,11 @@ fn lines_of_a_duct_pass_through_the_corners_of_its_rectangle() {
     assert_eq!(texts.count(), 24);
 }
 
-fn blank(part: &Part) -> Blank<'_> {
-    Blank {
-        lines: &part.piece.bends,
-        outline: part.piece.outline(),
-        edges: &part.edges,
-        flat: &part.flat.points,
-    }
-}
-
 #[test]
 fn gauges_are_square_to_the_line_from_the_edge_ahead() {
     let part = half_tube(201, BendRule::Number(20));
     let brake = Brake { die_mm: Some(70.0), length_mm: Some(500.0) };
-    let plan = hits(&blank(&part), &brake);
+    let plan = hits(&part.blank(), &brake);
     let mut running = 0.0;
     for (n, hit) in plan.iter().enumerate() {
         let Reference::Edge(edge) = hit.reference else { panic!("{n}: {:?}", hit.reference) };
@@ -249,7 +240,7 @@ fn gauges_are_square_to_the_line_from_the_edge_ahead() {
         let is_short = is(|fault| matches!(fault, BrakeFault::Short { .. }));
         assert_eq!(is_short, n == 0 || n == 19, "{n}");
     }
-    let unknown = hits(&blank(&part), &Brake::default());
+    let unknown = hits(&part.blank(), &Brake::default());
     assert!(unknown.iter().all(|hit| hit.faults.is_empty()));
 }
 
@@ -264,7 +255,7 @@ fn gauges_go_to_the_edge_of_a_lap_where_it_is_cut() {
     let lap = Allowance { width: [15.0; 2], corner: Corner::ByLength };
     design.trims = vec![Trim::new([TrimOn::All], TrimKind::Allowance(lap))];
     let part = make(&design, &mut Unwatched).unwrap().parts.remove(0);
-    for (n, hit) in hits(&blank(&part), &Brake::default()).iter().enumerate() {
+    for (n, hit) in hits(&part.blank(), &Brake::default()).iter().enumerate() {
         let Reference::Edge(edge) = hit.reference else { panic!("{:?}", hit.reference) };
         assert_eq!(part.edges[edge].name, "end");
         let wanted = 50.0 * PI * (3.5 - n as f64) + 15.0;

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used)] // tests panic
 
-use sheetwright::bend::{Blank, Brake, BrakeFault, Hit, Reference, hits};
+use sheetwright::bend::{Brake, BrakeFault, Hit, Reference, hits};
 use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Part, make};
@@ -36,13 +36,7 @@ fn net(rectangles: &[[[f64; 3]; 4]]) -> Part {
 }
 
 fn plan(part: &Part, die_mm: f64) -> Vec<Hit> {
-    let blank = Blank {
-        lines: &part.piece.bends,
-        outline: part.piece.outline(),
-        edges: &part.edges,
-        flat: &part.flat.points,
-    };
-    hits(&blank, &Brake { die_mm: Some(die_mm), length_mm: None })
+    hits(&part.blank(), &Brake { die_mm: Some(die_mm), length_mm: None })
 }
 
 /// A channel of 60 × 100 mm with legs of 40 and 8 mm.

@@ -525,6 +525,10 @@ fn brackets_are_formed_to_the_radius_of_their_bends() {
                 // The spline through the profile rounds off where a bend of 3 mm begins.
                 let found = 1.0 / part.predicted.as_ref().unwrap().curvature;
                 assert!((found / radius - 1.0).abs() < 0.12, "{radius} {bends:?} {n} {found}");
+                // What holds it is the plastic moment, σ t²/4 with σ = E ε / (1 − ν²).
+                let plastic = 210_000.0 * 0.0012 / (1.0 - 0.09);
+                let moment = part.predicted.as_ref().unwrap().hold_moment_n().unwrap();
+                assert!(moment < 1.01 * plastic, "{radius} {bends:?} {n} {moment}");
             }
         }
     }

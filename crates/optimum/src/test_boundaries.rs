@@ -6,7 +6,8 @@ use sheetwright_geometry::math::{Point3, cos, sin};
 use std::f64::consts::TAU;
 
 fn boundary(points: impl Iterator<Item = CurvePoint>) -> Boundary {
-    Boundary::new(vec![samples_from_points(&points.collect::<Vec<_>>())]).unwrap()
+    let samples = samples_from_points(&points.collect::<Vec<_>>());
+    Boundary::new(vec![samples]).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Of `m` samples, waving three times about a circle: far from developable where `height` is large.

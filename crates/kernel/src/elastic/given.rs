@@ -52,8 +52,6 @@ const SMALL: f64 = 0.05;
 const BEYOND: f64 = 4.0;
 /// A mesh may take so many times the steps of a surface that was found: it is farther from rest.
 const PATIENCE: usize = 2;
-/// The pattern of a sheet is fitted from so many starts at the most.
-const STARTS: usize = 3;
 /// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
 /// the most. Who asked for a sheet eight times as thick has another one in mind.
 const HALVINGS: usize = 3;
@@ -87,8 +85,8 @@ pub fn predict_given(
     }
     let strain = distortion.strain_p95(sheet.mesh());
     let most = SMALL.max(BEYOND * limits_at(0.0).strain);
+    let turns = turns(sheet.mesh());
     let limits = limits_at(0.0);
-    let turns = turns(sheet.mesh(), &limits);
     let mut narrow = match (is_strip(sheet.mesh()), distortion.length_error_max <= EXACT) {
         (true, _) => narrow(&turns, area, &limits),
         // Where lengths are true, the sheet is strained by no crease.
@@ -311,9 +309,8 @@ impl Given<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Elastic, ElasticError> {
         let (most_steps, fitted) = (PATIENCE * options.most_steps, limits.strain * self.enough);
-        // Only the first net of a sheet that is judged for itself is worth many starts.
+        // Only the first net of a sheet that is judged for itself is worth another start.
         let is_first = coarser.is_none() && options.triangles == NETS[0][0] && self.nets.len() > 1;
-        let starts = if is_first { STARTS } else { 1 };
         let reading = self.reading;
         let options = ElasticOptions {
             band_mm,
@@ -321,7 +318,7 @@ impl Given<'_> {
             fits,
             fitted,
             fits_anyway,
-            starts,
+            starts_anew: is_first,
             reading,
             leaves_needles: self.tightest > 0.0,
             ..*options
@@ -361,17 +358,17 @@ fn reading_of(mesh: &Mesh) -> Reading {
     if is_strip(mesh) { Reading::Smooth } else { Reading::Facets }
 }
 
-/// The turns of a mesh at its sides, of a sheet with these limits.
-fn turns(mesh: &Mesh, limits: &Limits) -> Vec<Turn> {
+/// The turns of a mesh at its sides.
+fn turns(mesh: &Mesh) -> Vec<Turn> {
     let creases = crease_angles(mesh).into_iter().zip(scored_creases(mesh)).zip(warps(mesh));
     let turn = |(edge, ((angle, scored), warp)): (&MeshEdge, ((f64, f64), f64))| {
         let [from, to] = edge.ends.map(|v| mesh.position(v));
         let area = |t: TriangleIndex| mesh.area_vector(t).length();
         let area_mm2 = edge.triangles.iter().flatten().map(|&t| area(t)).sum();
-        let is_bent = scored == 0.0 && is_developable(limits, warp * warp);
         // The triangles of a strip mostly come in their order.
         let place = edge.triangles.iter().flatten().map(|t| t.get()).min().unwrap_or(0);
-        Turn { angle, length_mm: from.distance(to), area_mm2, place, is_bent }
+        let (length_mm, is_fold) = (from.distance(to), scored > 0.0);
+        Turn { angle, length_mm, area_mm2, place, warp, is_fold }
     };
     mesh.edges().iter().zip(creases).map(turn).collect()
 }
@@ -425,16 +422,12 @@ fn curvature_of(sheet: &Sheet, flat: &Flattened, read: (Reading, bool)) -> f64 {
 /// triangles that meet in a crease, it turns by the angle over half of the width of both, which is
 /// their area over the length of the crease.
 fn curvature_by_creases(mesh: &Mesh) -> f64 {
-    let (mut curvatures, mut areas) = (Vec::new(), Vec::new());
-    let turns = crease_angles(mesh).into_iter().zip(scored_creases(mesh));
-    for (edge, (turn, scored)) in mesh.edges().iter().zip(turns) {
-        let [Some(a), Some(b)] = edge.triangles else { continue };
-        let area = mesh.area_vector(a).length() + mesh.area_vector(b).length();
-        let [from, to] = edge.ends.map(|v| mesh.position(v));
-        let bent = if scored > 0.0 { 0.0 } else { turn };
-        curvatures.push(bent * from.distance(to) / area);
-        areas.push(area);
-    }
+    let is_within = |(_, edge): &(Turn, &MeshEdge)| !edge.triangles.contains(&None);
+    let turns = turns(mesh).into_iter().zip(mesh.edges()).filter(is_within);
+    let of_turn = |(turn, _): (Turn, &MeshEdge)| {
+        (if turn.is_fold { 0.0 } else { turn.curvature() }, turn.area_mm2)
+    };
+    let (curvatures, areas): (Vec<f64>, Vec<f64>) = turns.map(of_turn).unzip();
     at_share(&curvatures, &areas, DECIDES)
 }
 

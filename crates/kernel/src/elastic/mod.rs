@@ -94,9 +94,9 @@ pub struct ElasticOptions {
     /// Whether it is fitted in any case, however little the sheet of the given one is strained.
     /// Default: no.
     pub fits_anyway: bool,
-    /// From so many starts it is fitted at the most, while the sheet stays strained by far more.
-    /// Default: 1.
-    pub starts: usize,
+    /// Whether it is fitted once more from a stiffer sheet, where the sheet stays strained by far
+    /// more. Default: no.
+    pub starts_anew: bool,
     /// How the triangles of the surface are taken. Default: they are the surface.
     pub reading: Reading,
     /// Whether components that are narrower than a side of the net are left out, if they are a
@@ -113,7 +113,7 @@ impl Default for ElasticOptions {
             fits: 0,
             fitted: 0.0,
             fits_anyway: false,
-            starts: 1,
+            starts_anew: false,
             reading: Reading::Facets,
             leaves_needles: false,
         }

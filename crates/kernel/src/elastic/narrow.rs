@@ -40,8 +40,10 @@ pub(super) struct Turn {
     pub(super) area_mm2: f64,
     /// Its place along the sheet: those of neighbours differ by one or two.
     pub(super) place: usize,
-    /// Whether the sheet is flat or bent there, not twisted nor folded.
-    pub(super) is_bent: bool,
+    /// The angle by which the sheet is twisted along it, radians.
+    pub(super) warp: f64,
+    /// Whether the sheet is folded there.
+    pub(super) is_fold: bool,
 }
 
 impl Turn {
@@ -56,16 +58,17 @@ fn side_mm(area_mm2: f64) -> f64 {
     (area_mm2 / ElasticOptions::default().triangles as f64).sqrt()
 }
 
-/// The numbers of those turns of a sheet of this area, mm², at which it is bent tightly, if they
-/// take little of it, in increasing order.
-/// Without a material nothing says how tightly it may be bent, and there are none.
+/// The numbers of those turns of a sheet of this area, mm², at which it is bent tightly, not
+/// twisted nor folded, in increasing order; none if they take much of it. Without a material
+/// nothing says how tightly it may be bent, and there are none.
 pub(super) fn tight(turns: &[Turn], area_mm2: f64, limits: &Limits) -> Vec<usize> {
     if limits.outer_fibre.is_none() {
         return Vec::new();
     }
     let side_mm = side_mm(area_mm2);
     let is_tight = |turn: &Turn| {
-        turn.is_bent && turn.angle > from_deg(LEAST_DEG) && turn.curvature() * side_mm > TURN
+        let is_bent = !turn.is_fold && is_developable(limits, turn.warp * turn.warp);
+        is_bent && turn.angle > from_deg(LEAST_DEG) && turn.curvature() * side_mm > TURN
     };
     let found: Vec<usize> = (0..turns.len()).filter(|&n| is_tight(&turns[n])).collect();
     let taken: f64 = found.iter().map(|&n| turns[n].area_mm2).sum();
@@ -108,9 +111,14 @@ pub(super) fn narrow_rungs(
 ) -> (Vec<usize>, f64) {
     let turn = |(place, ((rung, ends), area_mm2)): (usize, (Rung<'_>, f64))| {
         let [a, b] = ends.map(|v| flat.points[v.get()]);
-        let warp = rung.warp_of_surface();
-        let is_bent = !rung.is_fold && is_developable(limits, warp * warp);
-        Turn { angle: rung.crease.abs(), length_mm: a.distance(b), area_mm2, place, is_bent }
+        Turn {
+            angle: rung.crease.abs(),
+            length_mm: a.distance(b),
+            area_mm2,
+            place,
+            warp: rung.warp_of_surface(),
+            is_fold: rung.is_fold,
+        }
     };
     let rungs = measures.rungs.iter().zip(sheet.rung_ends());
     let turns: Vec<Turn> = rungs.zip(weights(sheet)).enumerate().map(turn).collect();

@@ -268,7 +268,7 @@ fn around_mm(line: &[VertexIndex], flat: &Flattened) -> f64 {
 fn needles(sheet: &Sheet, flat: &Flattened, side_mm: f64) -> Vec<bool> {
     let mesh = sheet.mesh();
     let area = |component: &Component| -> f64 {
-        component.triangles.iter().map(|&t| 0.5 * mesh.area_vector(t).length()).sum()
+        component.triangles.iter().map(|&t| mesh.area_vector(t).length()).sum()
     };
     let is_needle = |component: &Component| {
         let around: f64 = component.loops.iter().map(|&n| around_mm(&sheet.loops()[n], flat)).sum();

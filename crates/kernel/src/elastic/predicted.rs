@@ -135,11 +135,13 @@ impl Predicted {
     }
 
     /// The moment that holds an edge, per length, N (N·m/m): the bending stiffness times the
-    /// curvature. `None` where Young's modulus is unknown.
+    /// curvature, but of metal beyond yield the plastic one. `None` where Young's modulus is
+    /// unknown.
     pub fn hold_moment_n(&self) -> Option<f64> {
         let Limits { thickness_mm, poisson, modulus_n_per_mm2, moment_share, .. } = self.limits;
         let stiffness = Stiffness::new(thickness_mm, modulus_n_per_mm2?, poisson);
-        Some(stiffness.bending_n_mm * moment_share * self.curvature)
+        let curvature = moment_share * self.curvature;
+        Some(stiffness.bending_n_mm * curvature.min(self.limits.plastic_curvature()))
     }
 
     /// The load across the sheet that holds its border, N/mm, within a factor of 1.5. `None` where

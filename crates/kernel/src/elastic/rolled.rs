@@ -16,8 +16,6 @@
 use super::{Basis, Predicted};
 use crate::material::{EASY_SHARE, Limits};
 
-/// The plastic moment of a plate over that at which it begins to yield.
-const PLASTIC: f64 = 1.5;
 /// A plate that can't leave its surface is strained by this share of the square of its warp, where
 /// held edges keep its lengths.
 const WARPED: f64 = 1.0 / 8.0;
@@ -30,7 +28,7 @@ pub(super) fn is_developable(limits: &Limits, warp_squared: f64) -> bool {
 
 /// The limits of a sheet that yields at this curvature, 1/mm; `None` of one that does not.
 fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {
-    let moment_share = PLASTIC * limits.yields? / limits.outer_fibre_at(curvature);
+    let moment_share = limits.plastic_curvature() / curvature;
     (moment_share < 1.0).then(|| Limits { moment_share, ..limits.clone() })
 }
 

@@ -5,8 +5,9 @@
 //! have it (`fit`), the sheet comes to rest again, while the mean square of its strain falls.
 //!
 //! Thin sheet has many places of rest, of which most are crumpled, and which one it finds is
-//! chance. So where it stays strained much, it begins anew as a sheet that is stiffer in bending,
-//! which lies smoother, and goes on from there as itself (continuation \[AllgowerGeorg2003\]).
+//! chance. So where it stays strained much, it begins anew as a sheet that is far stiffer in
+//! bending, which lies smooth, and is made softer step by step until it is itself (continuation
+//! \[AllgowerGeorg2003\]).
 
 use super::coarser::Begin;
 use super::energy::{Energy, Stiffness, largest_principal};
@@ -19,11 +20,13 @@ use sheetwright_geometry::watch::Watch;
 /// The pattern is fitted to the surface itself so often: the fit is linear, and lengths that are
 /// wrong by some per cent take a second and a third one.
 const SURFACE_FITS: usize = 3;
-/// A pattern is first fitted to a sheet that is so many times as stiff in bending, so often. On
-/// saddles of thin sheet, the first of these starts ends crumpled one time in two, the others about
-/// one time in seven.
-const STARTS: [f64; 3] = [1.0, 30.0, 100.0];
-const FITS_OF_STIFFER: usize = 3;
+/// A sheet begins so many times as stiff in bending as it is. On saddles of thin sheet, the first
+/// of these starts ends crumpled one time in two.
+const STARTS: [f64; 2] = [1.0, 100.0];
+/// A stiffer sheet is made so many times softer at each step; its pattern is fitted once before.
+const SOFTER: f64 = 3.2;
+/// On the way from stiff to soft a sheet buckles, which may take so many times the steps.
+const PATIENCE: usize = 3;
 /// Another start is made while the strain is more than so many times that which is to be reached.
 const SETTLED: f64 = 2.0;
 /// A fit goes so many times as far as the sheet at rest asks, and by this share of the last move
@@ -166,7 +169,8 @@ fn fitted(
     }
     let of_surface = net.flat.clone();
     let mut best: Result<(Settled, Vec<Point2>), ElasticError> = Err(ElasticError::NoRest);
-    for &stiffer in STARTS.iter().take(options.starts) {
+    let starts = if options.starts_anew { &STARTS[..] } else { &STARTS[..1] };
+    for &stiffer in starts {
         net.flat.clone_from(&of_surface);
         match fitted_from(stiffer, sum.clone(), net, stiffness, options, watch) {
             Err(ElasticError::Stopped) => return Err(ElasticError::Stopped),
@@ -184,8 +188,8 @@ fn fitted(
     Ok(best)
 }
 
-/// The sheet whose pattern is moved so far, fitted again and again, first as one that is so many
-/// times as stiff in bending.
+/// The sheet whose pattern is moved so far, fitted again and again. It begins as one that is so
+/// many times as stiff in bending, which is made softer step by step.
 fn fitted_from(
     stiffer: f64,
     moves: Vec<Vec2>,
@@ -195,15 +199,19 @@ fn fitted_from(
     watch: &mut dyn Watch,
 ) -> Result<Settled, ElasticError> {
     let (mut begin, mut moves) = (net.space.clone(), moves);
-    if stiffer > 1.0 {
+    let patience = if stiffer > 1.0 { PATIENCE } else { 1 };
+    let patient = ElasticOptions { most_steps: patience * options.most_steps, ..*options };
+    let once = ElasticOptions { fits: options.fits.min(1), ..*options };
+    let mut stiffer = stiffer;
+    while stiffer > 1.0 {
         let stiff = Stiffness { bending_n_mm: stiffness.bending_n_mm * stiffer, ..stiffness };
-        let few = ElasticOptions { fits: FITS_OF_STIFFER.min(options.fits), ..*options };
-        let mut first = Settled::new(net, stiff, begin, options, watch)?;
-        first.moves = moves;
-        let first = fitted_on(first, net, stiff, &few, watch)?;
-        (begin, moves) = (first.at_rest.positions, first.moves);
+        let mut softer = Settled::new(net, stiff, begin, &patient, watch)?;
+        softer.moves = moves;
+        let softer = fitted_on(softer, net, stiff, &once, watch)?;
+        (begin, moves) = (softer.at_rest.positions, softer.moves);
+        stiffer /= SOFTER;
     }
-    let mut now = Settled::new(net, stiffness, begin, options, watch)?;
+    let mut now = Settled::new(net, stiffness, begin, &patient, watch)?;
     now.moves = moves;
     fitted_on(now, net, stiffness, options, watch)
 }

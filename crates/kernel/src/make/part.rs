@@ -1,6 +1,7 @@
 //! A part: one piece of sheet of a panel, whether its surface was found or given.
 
 use super::Rebuilt;
+use crate::bend::Blank;
 use crate::check::{BoundaryMoved, Checked};
 use crate::design::{Bends, PanelMethod, Thick, VaryGoal};
 use crate::edge::{Edge, EdgeSource};
@@ -145,6 +146,16 @@ impl Joint {
 }
 
 impl Part {
+    /// It as it comes to a press brake.
+    pub fn blank(&self) -> Blank<'_> {
+        Blank {
+            lines: &self.piece.bends,
+            outline: self.piece.outline(),
+            edges: &self.edges,
+            flat: &self.flat.points,
+        }
+    }
+
     /// Its boundary and the surface that was found for it; `None` of a mesh.
     pub fn found(&self) -> Option<&Found> {
         match &self.origin {
