@@ -11,6 +11,7 @@ use sheetwright::make::{Judging, Part, make, make_judged};
 use sheetwright::material::Material;
 use sheetwright::math::{Point3, cos, sin};
 use sheetwright::pattern::Role;
+use sheetwright::template::Value;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::bent;
 use sheetwright_shapes::materials::steel;
@@ -112,10 +113,11 @@ fn the_thickness_decides_and_the_thickest_sheet_is_named() {
     assert!((ratio / 125.0 - 1.0).abs() < 0.1, "{ratio}");
 }
 
-/// A template at its defaults, of a material.
-fn template(name: &str, material: Material) -> Design {
-    let design = sheetwright::template::template(name).unwrap().defaults().design().unwrap();
-    Design { material: Some(material), ..design }
+/// A template at its defaults but for these values, of a material.
+fn template(name: &str, values: &[(&str, f64)], material: Material) -> Design {
+    let mut chosen = sheetwright::template::template(name).unwrap().defaults();
+    values.iter().for_each(|&(name, value)| chosen.set(name, Value::Number(value)).unwrap());
+    Design { material: Some(material), ..chosen.design().unwrap() }
 }
 
 #[test]
@@ -125,9 +127,9 @@ fn the_thickest_sheet_that_is_named_takes_the_shape() {
         (&|sheet| twisted(90.0, Some(sheet)), 5.0),
         (&|sheet| wavy(60.0, 1.2, Some(sheet)), 4.0),
         (&|sheet| wavy(80.0, 1.2, Some(sheet)), 5.0),
-        (&|sheet| template("square-to-round", sheet), 5.0),
-        (&|sheet| template("reducer", sheet), 5.0),
-        (&|sheet| template("cone", sheet), 5.0),
+        (&|sheet| template("square-to-round", &[], sheet), 5.0),
+        (&|sheet| template("reducer", &[], sheet), 5.0),
+        (&|sheet| template("cone", &[], sheet), 5.0),
     ];
     for (n, (design, thickness_mm)) in cases.into_iter().enumerate() {
         let refused = made(&design(spring(thickness_mm)));
@@ -292,5 +294,23 @@ fn metal_that_yields_is_rolled_to_developable_shapes() {
         (wavy(80.0, 1.2, Some(spring(5.0))), Verdict::WillNotBend),
     ] {
         assert_eq!(made(&design).checked.verdict, verdict);
+    }
+}
+
+/// Cones of 8 to 30 mm at the top, of steel of 1 to 3 mm: no net of 350 triangles follows their
+/// tips, which a shop rolls all the same.
+#[test]
+fn sharp_cones_are_rolled() {
+    for (height, bottom, top, thickness_mm) in [
+        (100.0, 200.0, 8.0, 1.0),
+        (200.0, 400.0, 16.0, 1.0),
+        (200.0, 400.0, 30.0, 1.0),
+        (600.0, 200.0, 16.0, 1.0),
+        (100.0, 400.0, 30.0, 3.0),
+    ] {
+        let values = [("height", height), ("bottom", bottom), ("top", top)];
+        let part = made(&template("cone", &values, steel(thickness_mm)));
+        let of = (height, bottom, top);
+        assert_eq!(part.checked.verdict, Verdict::Roll, "{of:?} {:?}", part.checked.findings);
     }
 }

@@ -78,6 +78,7 @@ fn of_surfaces() -> Vec<Finding> {
     let mut all = vec![
         Finding::new(too_large(Basis::Computed), worst()),
         Finding::new(too_large(Basis::NoRest), Place::Whole),
+        Finding::new(too_large(Basis::TooTight), Place::Whole),
         Finding::new(force(Some([2e-3, 0.5]), Some(83.0)), worst()),
         Finding::new(force(Some([4e-3, 5e-3]), None), worst()),
         Finding::of_whole(Kind::Roll {
@@ -100,6 +101,15 @@ fn of_surfaces() -> Vec<Finding> {
                 limit: 1.2e-3,
                 sheet: sheet(),
                 basis: Basis::NoNet,
+            },
+            Place::Whole,
+        ),
+        Finding::new(
+            Kind::CantTell {
+                strain: [0.0, 1.8e-3],
+                limit: 1.2e-3,
+                sheet: sheet(),
+                basis: Basis::TooTight,
             },
             Place::Whole,
         ),

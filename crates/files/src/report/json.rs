@@ -116,9 +116,10 @@ struct PanelReport<'a> {
     /// one.
     strain_limit: f64,
     /// How the strain was found: `computed` on an elastic sheet, or by a formula: `quick`, `no-net`
-    /// where the outline can't be divided into triangles, `no-rest` where the sheet found no rest;
+    /// where the outline can't be divided into triangles, `no-rest` where the sheet found no rest,
+    /// `too-tight` where metal is rolled more tightly than a computed sheet can tell;
     /// `pattern` by the triangles of a mesh for which no sheet was computed.
-    #[schemars(extend("enum" = [Some("computed"), Some("quick"), Some("no-net"), Some("no-rest"), Some("pattern"), None::<&str>]))]
+    #[schemars(extend("enum" = [Some("computed"), Some("quick"), Some("no-net"), Some("no-rest"), Some("too-tight"), Some("pattern"), None::<&str>]))]
     strain_by: Option<&'static str>,
     /// The strain of the outer fibre that 95 % of the sheet stays below. Without unit.
     outer_fibre: Option<f64>,
@@ -510,6 +511,7 @@ fn basis_name(basis: Basis) -> &'static str {
         Basis::Screen => "quick",
         Basis::NoNet => "no-net",
         Basis::NoRest => "no-rest",
+        Basis::TooTight => "too-tight",
         Basis::Pattern => "pattern",
     }
 }

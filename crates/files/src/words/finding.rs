@@ -67,6 +67,8 @@ pub fn finding_text(finding: &Finding) -> String {
                     "by a formula: its outline can't be divided into triangles, so no sheet was \
                      computed",
                 Basis::NoRest => "by a formula: the computed sheet did not come to rest",
+                Basis::TooTight =>
+                    "by a formula: it is bent more tightly than a computed sheet can tell",
                 Basis::Pattern => "by the lengths of the pattern: no sheet could be computed",
             },
             takes(sheet.as_ref(), &percent_fine(*limit))
@@ -509,7 +511,9 @@ fn must_strain(strain: f64, basis: Basis) -> String {
     let how = match basis {
         Basis::Computed | Basis::Pattern => "must",
         Basis::Screen => "probably must",
-        Basis::NoNet | Basis::NoRest => "must, by a formula that is true within a factor of 2.2,",
+        Basis::NoNet | Basis::NoRest | Basis::TooTight => {
+            "must, by a formula that is true within a factor of 2.2,"
+        }
     };
     let strain = percent_fine(strain);
     format!("To take this shape, the sheet {how} stretch by {strain} within its plane")

@@ -53,6 +53,12 @@ impl Turn {
     }
 }
 
+/// Whether a sheet of this area, mm², whose bends are this tight, 1/mm, is bent more tightly than
+/// its net can follow.
+pub(super) fn is_beyond_net(curvature: f64, area_mm2: f64) -> bool {
+    curvature * side_mm(area_mm2) > TURN
+}
+
 /// The length of a side of a net over this area, mm².
 fn side_mm(area_mm2: f64) -> f64 {
     (area_mm2 / ElasticOptions::default().triangles as f64).sqrt()

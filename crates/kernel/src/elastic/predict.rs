@@ -5,7 +5,8 @@
 //!    needed, too: it turns sharply there all the same, and is computed with them scored.
 //! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
 //!    computed with all of them scored. They are needed if that helps.
-//!    If it is developable and yields, it is computed as one that is rolled (`rolled`).
+//!    If it is developable and yields, it is computed as one that is rolled (`rolled`). Where it is
+//!    rolled more tightly than a net can follow, as the tip of a cone, a formula decides.
 //!    Bends that are narrower than a net tells are held as they are (`narrow`).
 //! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
 //!    lies between what they give and what they tend to, nobody can tell.
@@ -14,7 +15,7 @@
 //! 6. Where no sheet can be computed, a formula estimates the strain, with its doubt.
 
 use super::folds::{Border, folds, weights};
-use super::narrow::narrow_rungs;
+use super::narrow::{is_beyond_net, narrow_rungs};
 use super::rolled::{is_developable, rolled};
 use super::screen::curvature_of_rungs;
 use super::thickest::thickest_mm;
@@ -113,7 +114,26 @@ impl Judge<'_> {
         let again = |limits: &Limits| Judge { limits, ..*self }.elastic(screened, watch);
         let curvature = curvature_of_rungs(self.measures, &weights(self.sheet));
         let (_, tightest) = narrow_rungs(self.sheet, self.flat, self.measures, self.limits);
-        Some(rolled(elastic, [curvature, tightest], again))
+        let found = rolled(elastic, [curvature, tightest], again);
+        let is_sure =
+            found.usage_range()[1] <= 1.0 || !self.is_rolled_beyond_net(screened, curvature);
+        if is_sure {
+            return Some(found);
+        }
+        // The plastic moment strains it by no more, and a bend that is rolled resists by less.
+        let strain_range = [screened.strain_range[0], screened.strain];
+        let basis = if found.basis == Basis::Computed { Basis::TooTight } else { found.basis };
+        Some(Predicted { basis, strain_range, ..screened.clone() })
+    }
+
+    /// Whether the sheet is rolled to a surface without any warp, and to more of a curvature, 1/mm,
+    /// than its net can follow.
+    fn is_rolled_beyond_net(&self, screened: &Predicted, curvature: f64) -> bool {
+        let warps = self.measures.rungs.iter().map(RungMeasures::warp_of_surface);
+        let warp = warps.fold(0.0, f64::max);
+        screened.limits.moment_share < 1.0
+            && is_developable(self.limits, warp * warp)
+            && is_beyond_net(curvature, self.measures.area_flat_mm2)
     }
 
     /// Whether the surface is developable, as far as its samples tell, and smooth.

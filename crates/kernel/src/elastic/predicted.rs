@@ -25,6 +25,9 @@ pub enum Basis {
     NoNet,
     /// A formula estimated it, since the elastic sheet did not come to rest.
     NoRest,
+    /// A formula estimated it, since metal is rolled more tightly than the net of a computed sheet
+    /// can follow.
+    TooTight,
     /// The triangles of a mesh tell it, by their stretches from the pattern to the shape: they are
     /// stretched too far, or no sheet could be computed.
     Pattern,

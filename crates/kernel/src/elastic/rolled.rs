@@ -26,10 +26,11 @@ pub(super) fn is_developable(limits: &Limits, warp_squared: f64) -> bool {
     WARPED * warp_squared <= EASY_SHARE * limits.strain
 }
 
-/// The limits of a sheet that yields at this curvature, 1/mm; `None` of one that does not.
+/// The limits of a sheet that yields at this curvature, 1/mm; `None` of one that does not, or that
+/// has them already.
 fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {
     let moment_share = limits.plastic_curvature() / curvature;
-    (moment_share < 1.0).then(|| Limits { moment_share, ..limits.clone() })
+    (moment_share < limits.moment_share).then(|| Limits { moment_share, ..limits.clone() })
 }
 
 /// What is predicted of a sheet whose surface is developable and has this curvature, 1/mm: what is

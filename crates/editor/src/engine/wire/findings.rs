@@ -136,4 +136,4 @@ kinds!(Mitred { Meets, NotFlat, Narrow, Untrue });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
 kinds!(Hindrance { Strain, Radius, Other });
-kinds!(Basis { Computed, Screen, NoNet, NoRest, Pattern });
+kinds!(Basis { Computed, Screen, NoNet, NoRest, TooTight, Pattern });
