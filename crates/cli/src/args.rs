@@ -48,7 +48,7 @@ Examples:
 Exit status:
   0  done, and no finding is an error
   1  done, and some finding is an error: a panel will not bend, or overlaps itself
-  2  the input or the call can't be used; nothing is written";
+  2  the input or the call can't be used; nothing is written of that input";
 
 const MAKE_EXAMPLES: &str = "\
 Examples:

@@ -83,8 +83,10 @@ pub(crate) fn run(args: &BatchArgs, voice: Voice) -> Result<bool, Failure> {
         (None, _) => voice.note(&count.text()),
     }
     let seconds = start.elapsed().as_secs_f64();
-    let threads = if threads == 1 { "1 thread".to_owned() } else { format!("{threads} threads") };
-    voice.note(&format!("{made} rows in {seconds:.1} s by {threads}"));
+    let counted =
+        |count: u64, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let (rows, threads) = (counted(made, "row"), counted(threads as u64, "thread"));
+    voice.note(&format!("{rows} in {seconds:.1} s by {threads}"));
     Ok(count.has_errors())
 }
 

@@ -31,7 +31,7 @@ static MEMORY: dlmalloc::GlobalDlmalloc = dlmalloc::GlobalDlmalloc;
 const FINE: u8 = 0;
 /// Done, and some finding is an error.
 const FOUND: u8 = 1;
-/// The input or the call can't be used; nothing is written.
+/// The input or the call can't be used; nothing is written of that input.
 const REFUSED: u8 = 2;
 
 fn main() -> ExitCode {

@@ -31,18 +31,25 @@ pub struct OffsetOptions {
     pub feet: bool,
 }
 
-/// The table of the offsets of some pieces. `docs/outputs.md` specifies it for readers.
+/// The table of the offsets of some pieces: of each its finished outline and, where trims have
+/// moved the cut off it, such as the lap of a scarf, that as it is cut. `docs/outputs.md` specifies
+/// it for readers.
 pub fn write_offsets<'a>(
     pieces: impl Iterator<Item = &'a Piece>,
     options: &OffsetOptions,
 ) -> Vec<u8> {
     let mut rows: Vec<(String, f64, Vec<f64>)> = Vec::new();
-    for piece in pieces {
-        let loops: Vec<&[Point2]> = piece.net_loops().collect();
+    let finished_and_cut = |piece: &'a Piece| {
+        let cut =
+            piece.has_net().then(|| (format!("{} (as cut)", piece.name), piece.loops().collect()));
+        let net: Vec<&[Point2]> = piece.net_loops().collect();
+        [(piece.name.clone(), net)].into_iter().chain(cut)
+    };
+    for (name, loops) in pieces.flat_map(finished_and_cut) {
         let Some(around) = Box2::of_points(loops.iter().copied().flatten().copied()) else {
             continue;
         };
-        let name = name_cell(&piece.name);
+        let name = name_cell(&name);
         let length_mm = around.max.x - around.min.x;
         let within_mm = NEAR_THE_END_MM.min(0.25 * length_mm);
         let of_station = |x: f64| {
@@ -176,14 +183,15 @@ mod tests {
     }
 
     #[test]
-    fn offsets_are_those_of_the_finished_piece() {
+    fn a_piece_whose_cut_is_trimmed_has_the_offsets_of_both_outlines() {
         let paths = vec![
             path(PathKind::Outline, square(-10.0, 110.0)),
             path(PathKind::Net, square(0.0, 100.0)),
         ];
         let rows = table(paths, &OffsetOptions::default());
         assert_eq!(rows[1].join(","), "a,0,0,100");
-        assert_eq!(rows.len(), 1 + 21, "stations every 5 mm");
+        assert_eq!(rows[1 + 21].join(","), "a (as cut),0,0,120", "stations every 5 mm");
+        assert_eq!(rows.len(), 1 + 21 + 13, "stations every 10 mm");
     }
 
     #[test]

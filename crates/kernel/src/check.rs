@@ -97,8 +97,8 @@ pub struct MeshOrigin<'a> {
     pub skins: Option<&'a FindingKind>,
     /// Points in which parts of it met that have no side in common there.
     pub contacts: usize,
-    /// The number of cuts from the border to points inside that the design or the caller sets.
-    pub darts: usize,
+    /// Why it is cut open, if it is.
+    pub cut_for: SeamCause,
     /// The net that it is a piece of; `None` of a mesh that is laid flat as a surface.
     pub net: Option<NetOrigin>,
 }

@@ -287,6 +287,11 @@ impl Limits {
         0.5 * self.thickness_mm * curvature
     }
 
+    /// Whether its outer fibre yields where the sheet has this curvature, 1/mm.
+    pub fn yields_at(&self, curvature: f64) -> bool {
+        self.yields.is_some_and(|most| self.outer_fibre_at(curvature) > most)
+    }
+
     /// The curvature at which an elastic sheet would take the plastic moment of this one, 1/mm;
     /// infinite of one that does not yield.
     pub fn plastic_curvature(&self) -> f64 {

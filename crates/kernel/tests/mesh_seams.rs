@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that can't go on fails")]
 
+use sheetwright::check::{FindingKind, SeamCause};
 use sheetwright::design::{Design, DesignPanel, PanelMesh, PanelShape, Triangles};
 use sheetwright::index::VertexIndex;
 use sheetwright::make::{Made, MakeCause, MakeError, make};
@@ -49,6 +50,15 @@ fn seams_of(made: &Made) -> Vec<[Point3; 2]> {
     made.parts.iter().flat_map(ends).collect()
 }
 
+/// Why the first part is cut open, as its finding says.
+fn why(made: &Made) -> Option<SeamCause> {
+    let mut found = made.parts[0].checked.findings.iter();
+    found.find_map(|finding| match finding.kind {
+        FindingKind::Seams { why, .. } => Some(why),
+        _ => None,
+    })
+}
+
 /// A T that a box is made of: the lid hangs at the back, the sides at the bottom.
 const CROSS: [&[usize]; 4] = [&[6, 4, 5, 7], &[0, 4], &[1, 5], &[2, 6]];
 
@@ -65,6 +75,8 @@ fn a_box_is_cut_where_its_seams_say_and_nowhere_else() {
             assert!(given.iter().any(|&[m, n]| has(m) && has(n)), "{facets} {ends:?}");
         }
         assert_eq!(cut.len(), 7, "{facets}");
+        let cause = if facets { SeamCause::Facets } else { SeamCause::Chosen };
+        assert_eq!(why(&made), Some(cause));
         let part = &made.parts[0];
         assert_eq!(part.flat.overlap, None);
         assert!(part.measures.length_error_max < 1e-9);
@@ -90,8 +102,9 @@ fn seams_that_enclose_a_face_part_it_from_the_rest() {
 #[test]
 fn seams_that_open_too_little_are_cut_on() {
     // A side by itself opens nothing: as a surface, the cube is cut as if it had no seam.
-    let cut = seams_of(&cube_cut(false, &[&[0, 4]]));
-    assert_eq!(cut.len(), seams_of(&cube_cut(false, &[])).len());
+    let cut = cube_cut(false, &[&[0, 4]]);
+    assert_eq!(seams_of(&cut).len(), seams_of(&cube_cut(false, &[])).len());
+    assert_eq!(why(&cut), Some(SeamCause::Closed));
     // Three in a row open it too little, so that it is folded, and they stay cuts of its net.
     for facets in [None, Some(true)] {
         let seams = Arc::new(vec![[0, 4, 5, 7].map(corner).to_vec()]);
@@ -132,6 +145,7 @@ fn a_pyramid_is_cut_along_the_line_that_is_given() {
         let [[a, b]] = seams_of(&made)[..] else { panic!("{:?}", seams_of(&made)) };
         let ends = [corner(foot[from]), tip];
         assert!(ends.contains(&a) && ends.contains(&b) && a != b);
+        assert_eq!(why(&made), Some(SeamCause::Chosen));
         assert!(made.parts[0].measures.length_error_max < 1e-9);
     }
 }

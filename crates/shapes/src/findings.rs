@@ -50,12 +50,13 @@ fn of_surfaces() -> Vec<Finding> {
         thickest_mm: Some(0.634),
         basis,
     };
-    let force = |outer_fibre, moment_n| Kind::NeedsForce {
+    let force = |outer_fibre, moment_n, is_formed| Kind::NeedsForce {
         strain: 5.1e-4,
         limit: 1.2e-3,
         outer_fibre,
         sheet: sheet(),
         moment_n,
+        is_formed,
         basis: Basis::Computed,
     };
     let line = |lines: usize| {
@@ -79,8 +80,9 @@ fn of_surfaces() -> Vec<Finding> {
         Finding::new(too_large(Basis::Computed), worst()),
         Finding::new(too_large(Basis::NoRest), Place::Whole),
         Finding::new(too_large(Basis::TooTight), Place::Whole),
-        Finding::new(force(Some([2e-3, 0.5]), Some(83.0)), worst()),
-        Finding::new(force(Some([4e-3, 5e-3]), None), worst()),
+        Finding::new(force(Some([2e-3, 0.5]), Some(83.0), false), worst()),
+        Finding::new(force(Some([4e-3, 5e-3]), None, false), worst()),
+        Finding::new(force(Some([4e-3, 5e-3]), Some(14.2), true), worst()),
         Finding::of_whole(Kind::Roll {
             radius_mm: 161.0,
             from_mm: 417.0,
@@ -197,6 +199,10 @@ fn of_meshes() -> Vec<Finding> {
         Finding::new(
             Kind::Seams { count: 1, length_mm: 55.0, why: SeamCause::Closed },
             mesh_seams(1),
+        ),
+        Finding::new(
+            Kind::Seams { count: 2, length_mm: 55.0, why: SeamCause::Chosen },
+            mesh_seams(2),
         ),
         Finding::new(
             Kind::Seams { count: 3, length_mm: 55.0, why: SeamCause::Darts },

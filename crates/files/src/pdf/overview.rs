@@ -4,13 +4,13 @@ use super::layout::{Layout, Leaves, Plan};
 use super::list::{self, Row};
 use super::page::{Anchor, MARGIN_MM, PdfPage, Pen, Type};
 use super::paper::Paper;
-use super::piece::{Detail, PaperView, draw};
+use super::piece::{Detail, PaperView, draw, is_valley};
 use super::shared::{draw_parts, names};
 use super::text::{encoded, width};
 use super::tiling::{PaperSheet, Tiling};
 use super::way_to_sheets;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{Piece, Role};
+use sheetwright::pattern::{PathKind, PatternPath, Piece, Role};
 use sheetwright::predicate::Box2;
 use std::collections::BTreeMap;
 
@@ -217,13 +217,7 @@ fn first(page: &mut PdfPage, layout: &Layout<'_>) {
         page.text(Point2::new(column, y), text, Type::new(10.0).bold());
     };
     heading(page, y, "Lines");
-    for (pen, text) in [
-        (Pen::CUT, "cut"),
-        (Pen::SCORE, "score or fold"),
-        (Pen::ENGRAVE, "mark: names, ends of rulings"),
-        (Pen::NOTE, "rulings: straight when bent"),
-        (Pen::SEAM, "where sheets meet"),
-    ] {
+    for (pen, text) in lines_drawn(layout) {
         y -= 5.5;
         page.line(Point2::new(column, y + 1.1), Point2::new(column + 14.0, y + 1.1), pen);
         page.text(Point2::new(column + 17.0, y), text, Type::new(9.0));
@@ -249,6 +243,26 @@ fn first(page: &mut PdfPage, layout: &Layout<'_>) {
         let most_mm = page.size().x - MARGIN_MM - column;
         page.fitted_text(Point2::new(column, y), &line, Type::new(9.0), most_mm);
     }
+}
+
+/// The kinds of lines that some page has, and what they mean.
+fn lines_drawn(layout: &Layout<'_>) -> Vec<(Pen, &'static str)> {
+    let has = |is_it: &dyn Fn(&PatternPath) -> bool| {
+        let mut paths = layout.pieces.iter().flat_map(|piece| &piece.paths);
+        paths.any(|path| path.kind != PathKind::Dimension && is_it(path))
+    };
+    let is_score = |path: &PatternPath| path.role == Role::Score && !is_valley(path);
+    let is_tiled = layout.plans.iter().any(|plan| matches!(plan, Plan::Tiled(_)));
+    let lines = [
+        (true, Pen::CUT, "cut"),
+        (has(&|path| path.role == Role::Net), Pen::NET, "outline of the finished piece"),
+        (has(&is_score), Pen::SCORE, "score or fold"),
+        (has(&is_valley), Pen::VALLEY, "fold towards you"),
+        (true, Pen::ENGRAVE, "mark: names, ends of rulings"),
+        (has(&|path| path.role == Role::Note), Pen::NOTE, "rulings: straight when bent"),
+        (is_tiled, Pen::SEAM, "where sheets meet"),
+    ];
+    lines.into_iter().filter(|line| line.0).map(|(_, pen, text)| (pen, text)).collect()
 }
 
 /// So many pieces on the first page have their sizes there.

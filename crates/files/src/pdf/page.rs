@@ -46,6 +46,8 @@ impl Pen {
     /// A fold towards the viewer; one away from the viewer is drawn as every score.
     pub(crate) const VALLEY: Self =
         Self { width_mm: 0.25, ink: Ink::Grey(0.0), dash_mm: &[4.0, 1.5, 0.3, 1.5] };
+    /// The outline of the finished piece, below the folds and cuts that run along it.
+    pub(crate) const NET: Self = Self { width_mm: 0.15, ink: Ink::Grey(0.5), dash_mm: &[] };
     pub(crate) const ENGRAVE: Self = Self { width_mm: 0.2, ink: Ink::Grey(0.25), dash_mm: &[] };
     pub(crate) const NOTE: Self = Self { width_mm: 0.1, ink: Ink::Grey(0.7), dash_mm: &[] };
     /// Crosses, check squares and scale bars.

@@ -4,7 +4,7 @@ use super::drawn::{drawn_labels, text_around};
 use super::page::{PdfPage, Pen};
 use crate::stroke_font::strokes;
 use sheetwright::math::{Point2, Vec2};
-use sheetwright::pattern::{PathKind, PatternLabel, Piece, Role};
+use sheetwright::pattern::{PathKind, PatternLabel, PatternPath, Piece, Role};
 use sheetwright::predicate::Box2;
 
 /// An upper bound on the distance that a pen draws from its line, mm on the page: the widest line
@@ -55,7 +55,7 @@ pub(crate) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: 
         for (role, pen) in [
             (Role::Note, Pen::NOTE),
             (Role::Engrave, Pen::ENGRAVE),
-            (Role::Net, Pen::SCORE),
+            (Role::Net, Pen::NET),
             (Role::Score, Pen::SCORE),
             (Role::Cut, Pen::CUT),
             (Role::Inner, Pen::CUT),
@@ -66,7 +66,7 @@ pub(crate) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: 
             }
             for path in piece.paths.iter().filter(|path| path.role == role) {
                 if path.kind != PathKind::Dimension {
-                    let pen = if path.kind == PathKind::VALLEY { Pen::VALLEY } else { pen };
+                    let pen = if is_valley(path) { Pen::VALLEY } else { pen };
                     page.lines(&visible(&path.points, path.closed, view), pen);
                 }
             }
@@ -77,6 +77,11 @@ pub(crate) fn draw(page: &mut PdfPage, piece: &Piece, view: &PaperView, detail: 
             }
         }
     });
+}
+
+/// Whether a path is folded towards the viewer, as its pen shows.
+pub(super) fn is_valley(path: &PatternPath) -> bool {
+    matches!(path.kind, PathKind::VALLEY | PathKind::TrimFold { mountain: false })
 }
 
 /// Whether a view shows a text whole.

@@ -450,6 +450,7 @@ fn cut_open(why: SeamCause) -> &'static str {
     match why {
         SeamCause::NotFlat => "In one piece the panel does not lie flat, so it is cut open",
         SeamCause::Closed => "The panel is closed, so it is cut open",
+        SeamCause::Chosen => "As you chose, the panel is cut",
         SeamCause::Darts => "To stretch less, the panel is cut",
         SeamCause::Facets => "So that its facets lie flat, the net is cut open",
     }
@@ -520,7 +521,8 @@ fn must_strain(strain: f64, basis: Basis) -> String {
 }
 
 fn needs_force(kind: &FindingKind) -> String {
-    let FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis } = kind
+    let FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, is_formed, basis } =
+        kind
     else {
         return String::new();
     };
@@ -544,11 +546,13 @@ fn needs_force(kind: &FindingKind) -> String {
             )
         }
     };
-    let hold = moment_n.filter(|&moment| moment >= LEAST_MOMENT_N);
-    let hold = hold.map_or(String::new(), |moment| {
-        format!(" To hold it takes a moment of about {} N·m for each metre of edge.", short(moment))
+    let moment = moment_n.filter(|&moment| moment >= LEAST_MOMENT_N);
+    let (bending, hold) = if *is_formed { ("Forming", "form") } else { ("Bending", "hold") };
+    let moment = moment.map_or(String::new(), |moment| {
+        let moment = short(moment);
+        format!(" To {hold} it takes a moment of about {moment} N·m for each metre of edge.")
     });
-    format!("Bending needs force. {why}.{hold}")
+    format!("{bending} needs force. {why}.{moment}")
 }
 
 fn must_stretch(stretch: f64, shrink: f64) -> String {

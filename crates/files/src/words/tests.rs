@@ -105,7 +105,10 @@ fn a_finding_reads_well() {
              plane. The limit for mild steel, 1 mm is 0.120 %. To hold it takes a moment of about 83 \
              N·m for each metre of edge. (at (12.0, -3.5, 0.3) mm)",
             "Bending needs force. Its outer fibre stretches by 0.40 %; the limit for mild steel, 1 \
-             mm is 0.50 %. (at (12.0, -3.5, 0.3) mm)"
+             mm is 0.50 %. (at (12.0, -3.5, 0.3) mm)",
+            "Forming needs force. Its outer fibre stretches by 0.40 %; the limit for mild steel, 1 \
+             mm is 0.50 %. To form it takes a moment of about 14 N·m for each metre of edge. (at \
+             (12.0, -3.5, 0.3) mm)"
         ]
     );
     assert_eq!(
@@ -158,6 +161,7 @@ fn a_finding_reads_well() {
             "S1 from sample 1 to 8, S2 from sample 2 to 9, S3 from sample 3 to 10, S4 from sample 4 \
              to 11, S5 from sample 5 to 12, S6 from sample 6 to 13 and 2 more",
             "S1",
+            "S1 to S2",
             "S1 to S3",
             "S1 to S40"
         ]

@@ -45,8 +45,10 @@ pub enum FindingKind {
         outer_fibre: Option<[f64; 2]>,
         /// The sheet, if one is named.
         sheet: Option<String>,
-        /// The moment that holds a metre of edge, N·m/m, if the stiffness is known.
+        /// The moment that holds or forms a metre of edge, N·m/m, if the stiffness is known.
         moment_n: Option<f64>,
+        /// Whether the sheet yields, so that it is formed and keeps its bend.
+        is_formed: bool,
         /// How the strain was found.
         basis: Basis,
     },

@@ -48,6 +48,8 @@ pub enum SeamCause {
     NotFlat,
     /// It is closed.
     Closed,
+    /// These seams were chosen, and no other is needed.
+    Chosen,
     /// Cuts let it stretch less.
     Darts,
     /// It is folded between its facets.

@@ -43,7 +43,8 @@ fn stretch(predicted: &Predicted) -> Option<Finding> {
     } else if predicted.usage() > EASY_SHARE {
         let outer_fibre = limits.outer_fibre.map(|limit| [predicted.outer_fibre(), limit]);
         let moment_n = predicted.hold_moment_n();
-        FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis }
+        let is_formed = limits.yields_at(predicted.curvature);
+        FindingKind::NeedsForce { strain, limit, outer_fibre, sheet, moment_n, is_formed, basis }
     } else {
         return None;
     };
@@ -54,7 +55,7 @@ fn stretch(predicted: &Predicted) -> Option<Finding> {
 /// The finding that the sheet keeps its bend.
 fn roll(predicted: &Predicted) -> Option<Finding> {
     let Predicted { limits, curvature, .. } = predicted;
-    let yields = limits.yields.filter(|&yields| predicted.outer_fibre() > yields)?;
+    let yields = limits.yields.filter(|_| limits.yields_at(*curvature))?;
     let from_mm = 0.5 * limits.thickness_mm / yields;
     let sheet = limits.sheet.clone().unwrap_or_default();
     Some(Finding::of_whole(FindingKind::Roll { radius_mm: 1.0 / curvature, from_mm, sheet }))

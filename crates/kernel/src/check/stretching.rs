@@ -30,7 +30,7 @@ pub(super) fn findings(panel: &Panel<'_>) -> Vec<Finding> {
             if panel.origin.net.is_some() { net_folds(panel) } else { folds(panel) }
         },
         facets_meant,
-        |panel: &Panel<'_>| seams(panel.part, why_cut(panel)),
+        |panel: &Panel<'_>| seams(panel.part, panel.origin.cut_for),
         left_out,
         specks,
         contacts,
@@ -70,7 +70,7 @@ fn divide(panel: &Panel<'_>) -> Option<Finding> {
     let predicted = panel.part.predicted?;
     let kind = FindingKind::Divide {
         cut: panel.origin.suggested_cut,
-        has_darts: panel.origin.darts > 0,
+        has_darts: panel.origin.cut_for == SeamCause::Darts,
         has_creases: sharp_creases(panel).next().is_some(),
     };
     (predicted.usage_range()[0] > 1.0).then(|| Finding::new(kind, worst(panel)))
@@ -113,18 +113,6 @@ fn facets_meant(panel: &Panel<'_>) -> Option<Finding> {
     let FacetsMeant { coarse, overlaps } = panel.origin.net?.meant?;
     let (facets, turn) = (coarse.facets, coarse.median_turn);
     Some(Finding::of_whole(FindingKind::FacetsMeant { facets, turn, overlaps }))
-}
-
-fn why_cut(panel: &Panel<'_>) -> SeamCause {
-    if panel.origin.net.is_some() {
-        SeamCause::Facets
-    } else if panel.origin.mesh.loops().is_empty() {
-        SeamCause::Closed
-    } else if panel.origin.darts > 0 {
-        SeamCause::Darts
-    } else {
-        SeamCause::NotFlat
-    }
 }
 
 fn left_out(panel: &Panel<'_>) -> Option<Finding> {

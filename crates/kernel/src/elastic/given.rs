@@ -225,7 +225,7 @@ impl Given<'_> {
             Ease::Refused
         } else if most > 1.0 {
             Ease::Unsure
-        } else if self.yields_at(predicted.curvature) {
+        } else if self.limits.yields_at(predicted.curvature) {
             Ease::Yields
         } else if predicted.usage() > EASY_SHARE {
             Ease::Force
@@ -238,7 +238,7 @@ impl Given<'_> {
     /// it rolled. That a twisted strip is curved so much can't be told from its creases.
     fn is_at_best(&self, predicted: &Predicted) -> bool {
         let curvature = self.curvature.max(self.tightest);
-        let is_rolled = self.yields_at(curvature) && !self.is_twisted();
+        let is_rolled = self.limits.yields_at(curvature) && !self.is_twisted();
         let best = if is_rolled { Ease::Yields } else { Ease::Easy };
         self.ease(predicted) >= best
     }
@@ -255,10 +255,6 @@ impl Given<'_> {
     fn is_better(&self, one: &Predicted, other: &Predicted) -> bool {
         let [of_one, of_other] = [one, other].map(|predicted| self.ease(predicted));
         of_one > of_other || of_one == of_other && one.strain < FAR_LESS * other.strain
-    }
-
-    fn yields_at(&self, curvature: f64) -> bool {
-        self.limits.yields.is_some_and(|most| self.limits.outer_fibre_at(curvature) > most)
     }
 
     /// A surface holds its sheet within a band.

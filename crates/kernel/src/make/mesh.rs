@@ -18,7 +18,8 @@ use super::truest::truest;
 use super::{Judging, MakeCause, MakeError};
 use crate::bend::{FOLDED_DEG, FoldTool, Mitred, crease, rounded};
 use crate::check::{
-    CheckedFrom, FacetsMeant, FindingKind, MeshOrigin, NetOrigin, Subject, check, mitred_folds,
+    CheckedFrom, FacetsMeant, FindingKind, MeshOrigin, NetOrigin, SeamCause, Subject, check,
+    mitred_folds,
 };
 use crate::design::{Bends, Design, DesignPanel, PanelMesh, Thick};
 use crate::elastic::screen_given;
@@ -393,14 +394,14 @@ fn lay(mesh: &Mesh, cut: &Cut, aim: Aim, watch: &mut dyn Watch) -> Result<Laid, 
     Ok(Laid { sheet, relaxed, distortion })
 }
 
-/// A mesh laid flat, cut where that must be or is worth it; with the number of darts.
+/// A mesh laid flat, cut where that must be or is worth it; with the reason.
 fn laid_well(
     mesh: &Mesh,
     seams: &[Side],
     settings: &PanelMesh,
     limit: f64,
     watch: &mut dyn Watch,
-) -> Result<(Laid, usize), MakeCause> {
+) -> Result<(Laid, SeamCause), MakeCause> {
     let aim = settings.aim;
     let sewn =
         Sewn::of(mesh, seams).map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?;
@@ -433,7 +434,16 @@ fn laid_well(
         cut = more;
         darts += 1;
     }
-    Ok((laid, darts))
+    let cut_for = if darts > 0 {
+        SeamCause::Darts
+    } else if !seams.is_empty() && cut == sewn.seams() {
+        SeamCause::Chosen
+    } else if mesh.loops().is_empty() {
+        SeamCause::Closed
+    } else {
+        SeamCause::NotFlat
+    };
+    Ok((laid, cut_for))
 }
 
 fn make_part(
@@ -447,12 +457,12 @@ fn make_part(
     watch.begin(&[name], Stage::Flatten);
     let limit = stretch_limit(material);
     let mut mitred = (0, BTreeMap::new());
-    let (laid, darts) = match &net {
+    let (laid, cut_for) = match &net {
         Some(net) => {
             let (sheet, relaxed) = net.laid(&mesh)?;
             let (sheet, relaxed) = with_tool(sheet, relaxed, material, thick, &mut mitred);
             let distortion = distortion(sheet.mesh(), &relaxed.flat.points);
-            (Laid { sheet, relaxed, distortion }, 0)
+            (Laid { sheet, relaxed, distortion }, SeamCause::Facets)
         }
         None => laid_well(&mesh, &seams, settings, limit, watch)?,
     };
@@ -493,7 +503,7 @@ fn make_part(
             healings: &healings,
             skins: skins.as_ref(),
             contacts,
-            darts,
+            cut_for,
             net: net.as_ref().map(|net| NetOrigin { meant: net.meant }),
         }),
     });

@@ -16,7 +16,7 @@ use sheetwright::trim::TrimNote;
 fields!(Finding { kind, place });
 variants!(FindingKind {
     StrainTooLarge { strain, limit, sheet, thickest_mm, basis },
-    NeedsForce { strain, limit, outer_fibre, sheet, moment_n, basis },
+    NeedsForce { strain, limit, outer_fibre, sheet, moment_n, is_formed, basis },
     Roll { radius_mm, from_mm, sheet },
     CantTell { strain, limit, sheet, basis },
     RadiusUnsure { least_mm, limit_mm, sheet },
@@ -131,7 +131,7 @@ fields!(SeamPlace { number, ends });
 fields!(LinePlace { at, on_part });
 kinds!(CutWay { Across, Lengthwise });
 kinds!(MeshSetting { Aim, SplitCreases, Darts, PiecesWithin });
-kinds!(SeamCause { NotFlat, Closed, Darts, Facets });
+kinds!(SeamCause { NotFlat, Closed, Chosen, Darts, Facets });
 kinds!(Mitred { Meets, NotFlat, Narrow, Untrue });
 kinds!(Skin { Outer, Inner });
 kinds!(Damage { Filler, Doubled, Seam, OnSide, Branch, Turned, InsideOut });
