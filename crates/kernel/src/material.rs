@@ -287,6 +287,11 @@ impl Limits {
         0.5 * self.thickness_mm * curvature
     }
 
+    /// Whether it takes a sharp fold along a scored line: [`Material::folds`], and an unknown sheet.
+    pub fn folds(&self) -> bool {
+        self.outer_fibre.is_none_or(|limit| 2.0 * MOST_THICKNESSES * limit >= 1.0)
+    }
+
     /// Whether its outer fibre yields where the sheet has this curvature, 1/mm.
     pub fn yields_at(&self, curvature: f64) -> bool {
         self.yields.is_some_and(|most| self.outer_fibre_at(curvature) > most)

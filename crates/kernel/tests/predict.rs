@@ -8,13 +8,13 @@ use sheetwright::curve::CurveKind;
 use sheetwright::design::Design;
 use sheetwright::elastic::{Basis, DOUBT};
 use sheetwright::make::{Judging, Part, make, make_judged};
-use sheetwright::material::Material;
-use sheetwright::math::{Point3, cos, sin};
+use sheetwright::material::{Material, Sourced};
+use sheetwright::math::{Point3, cos, from_deg, sin};
 use sheetwright::pattern::Role;
 use sheetwright::template::Value;
 use sheetwright::watch::Unwatched;
 use sheetwright_shapes::bent;
-use sheetwright_shapes::materials::steel;
+use sheetwright_shapes::materials::{plywood, steel};
 use std::f64::consts::TAU;
 
 /// A strip between two rails of points, of a material.
@@ -65,6 +65,39 @@ fn twisted_strips_need_no_fold_until_they_stretch_too_much() {
 
 /// The formula smooths the fold of the cheapest surface as the computed sheet does; where it can't
 /// tell, a batch computes the sheet.
+/// Between held edges, even a sheet that does not buckle strains by no more than ω²/8.
+#[test]
+fn soft_sheet_is_twisted_without_a_fold() {
+    for deg in [50.0, 60.0, 90.0] {
+        let warp = from_deg(deg) * 300.0 / 1200.0;
+        for (thickness_mm, stretch) in [(1.0, 0.05), (3.0, 0.05), (0.5, 0.03)] {
+            let stretch_limit = Sourced::assumed(stretch);
+            let soft = Material { stretch_limit, ..spring(thickness_mm) };
+            let part = made(&twisted(deg, Some(soft)));
+            let strain = part.predicted.as_ref().unwrap().strain;
+            assert_eq!(scored(&part), 0, "{deg} {thickness_mm}");
+            assert_eq!(part.checked.verdict, Verdict::Bends, "{deg} {thickness_mm}");
+            assert!(strain <= warp * warp / 8.0, "{deg} {thickness_mm} {strain}");
+        }
+    }
+}
+
+/// Plywood can't be folded: what a folded surface would strain it by is no help.
+#[test]
+fn a_sheet_that_does_not_fold_is_judged_by_its_smooth_shape() {
+    let part = made(&twisted(60.0, Some(plywood())));
+    assert_eq!((part.checked.verdict, scored(&part)), (Verdict::WillNotBend, 0));
+    let thickest_mm = part.predicted.as_ref().unwrap().thickest_mm.unwrap();
+    let thinner = Material {
+        thickness_mm: Sourced::assumed(thickest_mm),
+        bend_radius_mm: Sourced::assumed(plywood().bend_radius_mm.value * thickest_mm / 3.0),
+        ..plywood()
+    };
+    let part = made(&twisted(60.0, Some(thinner)));
+    let is_taken = matches!(part.checked.verdict, Verdict::Bends | Verdict::BendsWithForce);
+    assert!(is_taken && scored(&part) == 0, "{thickest_mm} {:?}", part.checked.verdict);
+}
+
 #[test]
 fn the_formula_needs_no_fold_where_the_sheet_needs_none() {
     for deg in [5.0, 10.0, 20.0, 30.0] {

@@ -121,7 +121,12 @@ fn of_surfaces() -> Vec<Finding> {
         ),
         Finding::new(Kind::FoldsNotNeeded { count: 2, sharpest }, rungs(&[3, 4])),
         Finding::new(
-            Kind::RadiusTooSmall { least_mm: 0.4, limit_mm: 1.0, sheet: "card".to_owned() },
+            Kind::RadiusTooSmall {
+                least_mm: 0.4,
+                limit_mm: 1.0,
+                sheet: "card".to_owned(),
+                thickest_mm: Some(0.12),
+            },
             rungs(&[3, 5]),
         ),
         Finding::new(

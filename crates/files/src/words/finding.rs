@@ -37,10 +37,7 @@ pub fn finding_text(finding: &Finding) -> String {
             "{}. {}.{} {} a sheet that stretches more.",
             must_strain(*strain, *basis),
             takes(sheet.as_ref(), &percent_fine(*limit)),
-            thickest_mm.map_or(String::new(), |mm| format!(
-                " In {} mm it would take the shape.",
-                short_down(mm)
-            )),
+            would_take(*thickest_mm),
             match basis {
                 Basis::Pattern => "Divide the panel, or choose",
                 _ => "Move the boundary, or choose",
@@ -80,9 +77,10 @@ pub fn finding_text(finding: &Finding) -> String {
             degrees(*sharpest),
             if *count == 1 { "it" } else { "them" }
         ),
-        Kind::RadiusTooSmall { least_mm, limit_mm, sheet } => format!(
+        Kind::RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm } => format!(
             "The smallest bend radius of the panel is {least_mm:.1} mm; the limit for {sheet} is \
-             {limit_mm:.1} mm. Choose a thinner sheet, or draw the boundary rounder."
+             {limit_mm:.1} mm.{} Choose a thinner sheet, or draw the boundary rounder.",
+            would_take(*thickest_mm)
         ),
         Kind::SheetTooThick { drawn_mm, inside_mm, thickness_mm } => {
             sheet_too_thick(*drawn_mm, *inside_mm, *thickness_mm)
@@ -384,6 +382,12 @@ fn short(mm: f64) -> String {
     format!("{mm:.*}", decimals_of(mm))
 }
 
+/// The thickest sheet that would take the shape, if one was found.
+fn would_take(thickest_mm: Option<f64>) -> String {
+    let words = |mm: f64| format!(" In {} mm it would take the shape.", short_down(mm));
+    thickest_mm.map_or(String::new(), words)
+}
+
 /// A length with two significant digits, rounded down; one that has two already stays.
 fn short_down(mm: f64) -> String {
     let decimals = decimals_of(mm);
@@ -533,7 +537,8 @@ fn needs_force(kind: &FindingKind) -> String {
     };
     let why = match bend {
         Some((bent, most)) => format!(
-            "Its outer fibre stretches by {}; the limit for {} is {}",
+            "Its outer fibre stretches by {}{}; the limit for {} is {}",
+            if bent > most { "about " } else { "" },
             percent(bent),
             or_any_sheet(sheet),
             percent(most)

@@ -32,14 +32,16 @@ pub(super) fn not_needed(
                 developable as far as its samples tell. With more samples its warp angles fall."
             .to_owned();
     }
-    let Some(hindrance) = hindrance else {
+    let Some(kept) = hindrance else {
         return format!(": the panel bends as it is, {tell}.");
     };
     let twist = match wanted.map(to_deg) {
         Some(wanted) => format!("no ruling twists by more than the goal of {wanted:.1}°"),
-        None => "no ruling twists".to_owned(),
+        None => "less twist, which moving aims at, would not help".to_owned(),
     };
-    format!(": {twist}, {tell}.{}", keeps_from_bending(Some(hindrance)))
+    // An angle that nobody set can't be set smaller.
+    let kept = Some(kept).filter(|kept| wanted.is_some() || *kept != Hindrance::Strain);
+    format!(": {twist}, {tell}.{}", keeps_from_bending(kept))
 }
 
 /// Why a panel does not bend although its warp angles reach the goal, as a sentence.

@@ -87,6 +87,8 @@ pub enum FindingKind {
         limit_mm: f64,
         /// The sheet.
         sheet: String,
+        /// The thickest sheet of its kind that takes the shape, mm, if one was found.
+        thickest_mm: Option<f64>,
     },
     /// A smooth bend is so tight that the inner face of the sheet has no radius left.
     SheetTooThick {

@@ -163,6 +163,26 @@ pub(crate) fn moved(moving: &BoundaryMoved<'_>) -> Finding {
     }
 }
 
+impl Checked {
+    /// Leaves out the angles that a boundary was moved for in place of a strain: nobody set them.
+    pub(crate) fn forget_angles(&mut self) {
+        for Finding { kind, place } in &mut self.findings {
+            match kind {
+                FindingKind::NotMoved { wanted, is_above, .. } => {
+                    (*wanted, *is_above) = (None, false);
+                }
+                FindingKind::Moved { hindrance, .. } => *hindrance = None,
+                FindingKind::WarpNotReached { movement, ended, .. } => {
+                    let (movement, ended) = (movement.clone(), ended.clone());
+                    *kind = FindingKind::Moved { movement, ended, hindrance: None };
+                    *place = Place::Whole;
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
 /// What keeps a panel from bending although its warp angles reach the goal.
 fn hindrance(checked: &Checked) -> Option<Hindrance> {
     let is_error = |finding: &&Finding| finding.severity() == Severity::Error;

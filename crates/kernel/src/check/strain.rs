@@ -6,9 +6,11 @@ use crate::material::{EASY_SHARE, Material};
 use crate::measure::{Measures, RungMeasures};
 use sheetwright_geometry::math::from_deg;
 
-/// A mesh is bent too tightly below this share of the least radius of its sheet: its own radius is
-/// known within some per cent.
-const MESH_SHARE: f64 = 0.95;
+/// Over so many rungs, a computed sheet shows the tight ends of a surface itself.
+const FINE: usize = 200;
+/// What no ruling tells is bent too tightly below this share of the least radius of its sheet: a
+/// computed sheet, and a mesh, have theirs within some per cent.
+const COMPUTED_SHARE: f64 = 0.95;
 
 /// The findings that follow from a prediction and from the measures of a surface that was found.
 pub(super) fn findings(
@@ -16,10 +18,15 @@ pub(super) fn findings(
     measures: &Measures,
     material: Option<&Material>,
 ) -> Vec<Finding> {
+    let radius = material.and_then(|material| radius(predicted, measures, material));
+    let is_beyond = |finding: &Finding| matches!(finding.kind, FindingKind::RadiusTooSmall { .. });
+    let is_refused = radius.as_ref().is_some_and(is_beyond);
+    // What is bent more tightly than it takes is not held by any force.
+    let is_idle = |f: &Finding| is_refused && matches!(f.kind, FindingKind::NeedsForce { .. });
     let found = [
         predicted.and_then(roll),
-        predicted.and_then(stretch),
-        material.and_then(|material| radius(predicted, measures, material)),
+        predicted.and_then(stretch).filter(|finding| !is_idle(finding)),
+        radius,
         folds(measures, material),
         folds_not_needed(measures),
     ];
@@ -61,29 +68,33 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
     Some(Finding::of_whole(FindingKind::Roll { radius_mm: 1.0 / curvature, from_mm, sheet }))
 }
 
-/// The finding that the sheet is bent more tightly than it takes; or, of a sheet that does not
-/// fold, that the samples can't tell: rulings turn so much from one to the next that a tight end
-/// may lie between two. A mesh has no rungs; the curvature of its sheet tells.
+/// The finding that the sheet is bent more tightly than it takes: where it was computed, as it lies
+/// at rest. Where a formula speaks of a sheet that does not fold, and of few samples, these may be too
+/// few to tell: rulings turn so much from one to the next that a tight end may lie between two.
 fn radius(
     predicted: Option<&Predicted>,
     measures: &Measures,
     material: &Material,
 ) -> Option<Finding> {
+    let predicted = predicted?;
     let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
-    if measures.distortion.is_some() {
-        let least_mm = 1.0 / predicted?.curvature;
-        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
-        return (least_mm < MESH_SHARE * limit_mm).then(|| Finding::of_whole(kind));
+    let (least_mm, thickest_mm) = (1.0 / predicted.curvature, predicted.thickest_mm);
+    let is_mesh = measures.distortion.is_some();
+    let is_tight = |r: &RungMeasures| !r.is_fold && r.bend_radius_mm < limit_mm;
+    let is_told = measures.rungs.iter().any(is_tight);
+    if least_mm < if is_told { limit_mm } else { COMPUTED_SHARE * limit_mm } {
+        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm };
+        let place = if is_told { Place::rungs(&measures.rungs, is_tight) } else { Place::Whole };
+        return Some(Finding::new(kind, place));
     }
-    let least_mm = measures.bend_radius_min_mm;
-    if least_mm < limit_mm {
-        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet };
-        let tight = |r: &RungMeasures| r.bend_radius_mm < limit_mm;
-        return Some(Finding::new(kind, Place::rungs(&measures.rungs, tight)));
+    let is_fine = predicted.basis == Basis::Computed && measures.rungs.len() >= FINE;
+    if is_mesh || is_fine {
+        return None;
     }
     let limit = from_deg(material.warp_limit_deg.value);
     let is_coarse = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() == 0.0;
     let is_unsure = !material.folds() && measures.rungs.iter().any(is_coarse);
+    let least_mm = measures.bend_radius_min_mm;
     let kind = FindingKind::RadiusUnsure { least_mm, limit_mm, sheet };
     is_unsure.then(|| Finding::new(kind, Place::rungs(&measures.rungs, is_coarse)))
 }

@@ -58,15 +58,6 @@ pub(super) struct Energy {
     band: Option<Band>,
 }
 
-/// How the stress enters the curvatures of the energy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stress {
-    /// As it is.
-    Whole,
-    /// Without compression, so that the curvatures are positive in every direction.
-    TensionAlone,
-}
-
 impl Energy {
     /// `None` where a triangle of the net is turned over.
     pub(super) fn new(net: &Net, stiffness: Stiffness) -> Option<Self> {
@@ -195,11 +186,13 @@ impl Energy {
     }
 
     /// Calls `add` with every block of the curvatures of the energy, N/mm: a pair of nodes, the
-    /// lower first, rows of the first and columns of the second.
+    /// lower first, rows of the first and columns of the second. Only this share of what is pressed
+    /// enters: with all of it they are those of the energy, without any they are positive in every
+    /// direction.
     pub(super) fn curvature_blocks(
         &self,
         positions: &[Point3],
-        stress: Stress,
+        pressed: f64,
         mut add: impl FnMut([usize; 2], [[f64; 3]; 3]),
     ) {
         for (&pair, &value) in &self.bending {
@@ -213,10 +206,7 @@ impl Energy {
         }
         for element in &self.elements {
             let [fx, fy] = element.tangents(positions);
-            let [sxx, syy, sxy] = match stress {
-                Stress::Whole => self.stress(strain_of(fx, fy)),
-                Stress::TensionAlone => tension(self.stress(strain_of(fx, fy))),
-            };
+            let [sxx, syy, sxy] = eased(self.stress(strain_of(fx, fy)), pressed);
             // How the three parts of the strain grow with a move of each node.
             let growth: [[Vec3; 3]; 6] =
                 element.at.gradients.map(|g| [fx * g.x, fy * g.y, fy * g.x + fx * g.y]);
@@ -295,12 +285,15 @@ pub(super) fn largest_principal([xx, yy, xy]: [f64; 3]) -> f64 {
     middle.abs() + radius
 }
 
-/// A stress without its compression.
-fn tension([xx, yy, xy]: [f64; 3]) -> [f64; 3] {
+/// A stress with this share of its compression.
+fn eased([xx, yy, xy]: [f64; 3], pressed: f64) -> [f64; 3] {
+    if pressed == 1.0 {
+        return [xx, yy, xy];
+    }
     let middle = 0.5 * (xx + yy);
     let half = 0.5 * (xx - yy);
     let radius = (half * half + xy * xy).sqrt();
-    let [high, low] = [middle + radius, middle - radius].map(|s| s.max(0.0));
+    let [high, low] = [middle + radius, middle - radius].map(|s| s.max(pressed * s));
     if radius == 0.0 {
         return [high, high, 0.0];
     }

@@ -17,6 +17,9 @@ pub(super) fn folds(measures: &Measures, is_so: impl Fn(usize) -> bool) -> Vec<u
     (0..measures.rungs.len()).filter(is_fold).collect()
 }
 
+/// A border that turns by more on the pattern has a corner there, degrees.
+const CORNER_DEG: f64 = 30.0;
+
 /// The border of a sheet in space and on its pattern.
 pub(super) struct Border<'a> {
     sheet: &'a Sheet,
@@ -38,11 +41,13 @@ impl<'a> Border<'a> {
 
     /// Whether the boundary has the fold, at one of its ends at least: there the boundary turns in
     /// space by another angle than on the pattern, and by far more so than at the samples beside
-    /// it. No smooth sheet does that.
+    /// it. No smooth sheet does that, but at a corner of the pattern: there a sheet turns about the
+    /// corner itself, and what a fold to it adds to its angle is no more than that fold's own.
     pub(super) fn demands(&self, rung: usize) -> bool {
         self.sheet.rung_ends()[rung].into_iter().any(|end| {
             let [before, here, after] = [-1, 0, 1].map(|step| self.kink(end, step));
-            here > KINK_DEG && here > 2.0 * (before + after)
+            let is_corner = self.turns(end, 0).is_some_and(|[_, turn]| to_deg(turn) > CORNER_DEG);
+            !is_corner && here > KINK_DEG && here > 2.0 * (before + after)
         })
     }
 
@@ -57,8 +62,14 @@ impl<'a> Border<'a> {
     /// By how much the border turns in space more or less than on the pattern, degrees, at a vertex
     /// so many steps after another.
     fn kink(&self, from: VertexIndex, steps: isize) -> f64 {
+        self.turns(from, steps).map_or(0.0, |[space, pattern]| to_deg((space - pattern).abs()))
+    }
+
+    /// By how much the border turns there in space and on the pattern, radians; `None` of a vertex
+    /// within the sheet.
+    fn turns(&self, from: VertexIndex, steps: isize) -> Option<[f64; 2]> {
         let Self { sheet, flat, places } = self;
-        let Some([line, at]) = places[from.get()] else { return 0.0 };
+        let [line, at] = places[from.get()]?;
         let line = &sheet.loops()[line];
         let at = at as isize + steps;
         let vertex = |n: isize| line[n.rem_euclid(line.len() as isize) as usize];
@@ -67,9 +78,7 @@ impl<'a> Border<'a> {
         let point = |v: VertexIndex| flat.points[v.get()];
         let in_space = angle_between(space(b) - space(a), space(c) - space(b));
         let (came, goes) = (point(b) - point(a), point(c) - point(b));
-        let on_pattern = came.perp_dot(goes).abs();
-        let on_pattern = atan2(on_pattern, came.dot(goes));
-        to_deg((in_space - on_pattern).abs())
+        Some([in_space, atan2(came.perp_dot(goes).abs(), came.dot(goes))])
     }
 }
 

@@ -19,8 +19,8 @@
 //!    of its facing along its sides as the warp.
 //! 6. Of a sheet that does not take its shape, a thinner one that does is looked for.
 //! 7. Where the triangles of the pattern are stretched by far more than the material takes, or by
-//!    more than a theory of small strains holds for, their strain decides. So it does where no
-//!    sheet can be computed, with its doubt.
+//!    more than a theory of small strains holds for, and those of a fitted pattern are, too, their
+//!    strain decides. So it does where no sheet can be computed, with its doubt.
 
 use super::narrow::{Turn, narrow, tight, tightest};
 use super::predict::{FLAT, NETS, by_nets, stiffness_of};
@@ -30,12 +30,12 @@ use super::surface::facing;
 use super::thickest::thickest_mm;
 use super::{
     Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Reading, Task,
-    at_rest, at_share, curvature_of_surface,
+    at_rest, at_share, curvature_of_surface, strain_of_fitted,
 };
 use crate::flatten::Flattened;
 use crate::material::{EASY_SHARE, Limits, Material};
 use crate::measure::{Distortion, area_flat};
-use crate::mesh::{Mesh, MeshEdge, crease_angles, scored_creases};
+use crate::mesh::{Mesh, MeshEdge, angle_defects, crease_angles, scored_creases};
 use crate::sheet::{Sheet, split_at};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -50,6 +50,10 @@ const BAND: f64 = 0.005;
 const SMALL: f64 = 0.05;
 /// A pattern whose triangles are strained by so many times the limit is not computed either.
 const BEYOND: f64 = 4.0;
+/// Patterns that are strained by up to this may be fitted nevertheless.
+const FITTABLE: f64 = 0.5;
+/// A saddle has at most this share of its curvature in points where it is curved like a dome.
+const DOMED: f64 = 0.1;
 /// A mesh may take so many times the steps of a surface that was found: it is farther from rest.
 const PATIENCE: usize = 2;
 /// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
@@ -98,10 +102,21 @@ pub fn predict_given(
         narrow.clear();
         pieces = folded(sheet, flat, &narrow);
     }
-    let Some((folded, flat)) = pieces.filter(|_| strain <= most) else {
+    let Some((folded, flat)) = pieces else {
         return Some(Predicted::of_pattern(limits_at(0.0), strain));
     };
     let reading = reading_of(folded.mesh());
+    let is_far = strain > most;
+    // A pattern may heap in a few places what a fitted one has nowhere. A saddle is relieved where
+    // the sheet leaves it; a dome is so only by wrinkles.
+    let fits_better = || {
+        let fitted = strain_of_fitted(&folded, &flat, (reading, !narrow.is_empty()));
+        fits > 0 && strain <= FITTABLE && fitted.is_some_and(|fitted| fitted <= most)
+    };
+    let may_fit = |mesh: &Mesh| is_saddle(mesh) && fits_better();
+    if is_far && !may_fit(sheet.mesh()) {
+        return Some(Predicted::of_pattern(limits, strain));
+    }
     let tightest = tightest(&turns, &narrow);
     let curvature = curvature_of(&folded, &flat, (reading, !narrow.is_empty()));
     let limits = limits_at(curvature);
@@ -118,6 +133,7 @@ pub fn predict_given(
         curvature,
         tightest,
         is_developable,
+        is_far,
     };
     let is_one = folded.mesh().components().len() == 1;
     let fits = if is_one && !is_developable { fits } else { 0 };
@@ -154,6 +170,8 @@ struct Given<'a> {
     tightest: f64,
     /// Whether its surface is developable, as far as its triangles tell.
     is_developable: bool,
+    /// Whether its pattern is strained by more than the theory holds for, unless it is fitted.
+    is_far: bool,
 }
 
 /// How easily a sheet takes its shape, from the worst.
@@ -194,7 +212,7 @@ impl Given<'_> {
         if is_strip(self.sheet.mesh()) {
             self.strip(fits, watch)
         } else {
-            self.surface(fits, false, watch)
+            self.surface(fits, self.is_far, watch)
         }
     }
 
@@ -342,6 +360,14 @@ pub fn screen_given(
     let curvature = curvature_of(sheet, flat, (Reading::Smooth, false));
     let limits = Limits::of(material, area, curvature);
     by_formula(limits, curvature, warp_squared(sheet.mesh()))
+}
+
+/// Whether a mesh is curved like a saddle nearly everywhere.
+fn is_saddle(mesh: &Mesh) -> bool {
+    let defects = angle_defects(mesh).into_iter().zip(mesh.topology().on_border());
+    let within: Vec<f64> = defects.filter(|(_, on_border)| !on_border).map(|(d, _)| d).collect();
+    let like_a_dome: f64 = within.iter().filter(|defect| **defect > 0.0).sum();
+    like_a_dome <= DOMED * within.iter().map(|defect| defect.abs()).sum::<f64>()
 }
 
 /// Whether all points of a mesh lie on its border.

@@ -50,6 +50,7 @@ mod screen;
 mod settled;
 mod surface;
 mod thickest;
+mod tight;
 
 pub use energy::Stiffness;
 pub use given::{predict_given, screen_given};
@@ -68,7 +69,7 @@ use net::Net;
 use newton::Rest;
 use outline::Outline;
 use places::Places;
-use settled::{Settled, settled, settled_from};
+use settled::{Settled, fit_surface, settled, settled_from};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::math::{Point2, Point3, Vec2, Vec3};
 use sheetwright_geometry::watch::Watch;
@@ -97,6 +98,9 @@ pub struct ElasticOptions {
     /// Whether it is fitted once more from a stiffer sheet, where the sheet stays strained by far
     /// more. Default: no.
     pub starts_anew: bool,
+    /// Whether it begins as a far stiffer sheet, which is made softer step by step: so it finds the
+    /// smooth shape beside a folded surface. Default: no.
+    pub begins_stiff: bool,
     /// How the triangles of the surface are taken. Default: they are the surface.
     pub reading: Reading,
     /// Whether components that are narrower than a side of the net are left out, if they are a
@@ -114,6 +118,7 @@ impl Default for ElasticOptions {
             fitted: 0.0,
             fits_anyway: false,
             starts_anew: false,
+            begins_stiff: false,
             reading: Reading::Facets,
             leaves_needles: false,
         }
@@ -291,6 +296,18 @@ fn curvature_of_surface(sheet: &Sheet, flat: &Flattened, read: (Reading, bool)) 
     let net = Net::new(sheet, flat, &held, triangles, Outline::Coarse, read)?;
     let energy = Energy::new(&net, Stiffness::new(1.0, 1.0, 0.3))?;
     Some(at_share(&energy.curvatures(&net.space), &energy.areas(), DECIDES))
+}
+
+/// The strain of a surface itself that 95 % of the area stays below, once its pattern is fitted to
+/// it; `None` where there is no net.
+fn strain_of_fitted(sheet: &Sheet, flat: &Flattened, read: (Reading, bool)) -> Option<f64> {
+    let triangles = ElasticOptions::default().triangles;
+    let mut net = Net::new(sheet, flat, &Edges::default(), triangles, Outline::Coarse, read)?;
+    let stiffness = Stiffness::new(1.0, 1.0, 0.3);
+    fit_surface(&mut net, stiffness).ok()?;
+    let energy = Energy::new(&net, stiffness)?;
+    let strains = energy.strains(&net.space).into_iter().map(largest_principal);
+    Some(at_share(&strains.collect::<Vec<_>>(), &energy.areas(), DECIDES))
 }
 
 impl Elastic {

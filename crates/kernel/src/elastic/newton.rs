@@ -2,17 +2,19 @@
 //!
 //! Far from rest the whole curvature of the energy may have no inverse that leads down, since what
 //! is pressed may buckle. So steps begin with the compression left out of it, with which it is
-//! positive in every direction, and take it whole once that is positive. Steps are shortened until
-//! the energy falls. A place of rest at which the whole curvature is not positive is a pass, not a
-//! valley: the way down from there is the direction of the least curvature, found by inverse
-//! iteration from a fixed start, so that the same sheet always buckles the same way.
+//! positive in every direction, and take it whole once that is positive. Where it is not, they take
+//! as large a share of the compression as leaves it positive, by halves: without any, a sheet that
+//! buckles creeps. Steps are shortened until the energy falls. A place of rest at which the whole
+//! curvature is not positive is a pass, not a valley: the way down from there is the direction of
+//! the least curvature, found by inverse iteration from a fixed start, so that one sheet always
+//! buckles the same way.
 //!
 //! A node that slides along a track (`hold`) has a direction in place of three: slopes and
 //! curvatures are projected on it, the curvature of the track times the slope across it is added,
 //! and after a step the node is put back on its track.
 
 use super::ElasticError;
-use super::energy::{Energy, Stress};
+use super::energy::Energy;
 use super::hold::{Hold, Holds, OnTrack};
 use super::net::Net;
 use sheetwright_geometry::math::sparse::{Factor, Matrix, Plan, elimination_order};
@@ -27,6 +29,8 @@ const AT_REST: f64 = 1e-7;
 const MOST_HALVINGS: usize = 30;
 /// Of the fall that a step promises, so much must come true.
 const TRUE_SHARE: f64 = 1e-4;
+/// The least share of the compression that is tried before it is left out.
+const LEAST_PRESSED: f64 = 1.0 / 16.0;
 /// A pass is left so often at the most.
 const MOST_PASSES: usize = 6;
 /// How far a pass is left, as a share of the size of the sheet.
@@ -117,13 +121,13 @@ impl Free {
         plan: &'a Plan<3>,
         energy: &Energy,
         placed: &Placed,
-        stress: Stress,
+        pressed: f64,
         shift: f64,
     ) -> Matrix<'a, 3> {
         let on_tracks = self.on_tracks(placed);
         let projection = |k: usize| on_tracks[k].map(|on_track| Projection::on(on_track.along));
         let mut matrix = plan.zero();
-        energy.curvature_blocks(&placed.positions, stress, |[a, b], block| {
+        energy.curvature_blocks(&placed.positions, pressed, |[a, b], block| {
             let (Some(a), Some(b)) = (self.number[a], self.number[b]) else { return };
             let block = projection(a).map_or(block, |projection| projection.rows(block));
             let block = projection(b).map_or(block, |projection| projection.columns(block));
@@ -133,7 +137,7 @@ impl Free {
                 matrix.add_pair(pair, block);
             }
         });
-        self.add_tracks(&mut matrix, energy, placed, stress, &on_tracks);
+        self.add_tracks(&mut matrix, energy, placed, pressed, &on_tracks);
         if shift != 0.0 {
             let one =
                 std::array::from_fn(|r| std::array::from_fn(|c| if r == c { shift } else { 0.0 }));
@@ -149,7 +153,7 @@ impl Free {
         matrix: &mut Matrix<'_, 3>,
         energy: &Energy,
         placed: &Placed,
-        stress: Stress,
+        pressed: f64,
         on_tracks: &[Option<OnTrack>],
     ) {
         if on_tracks.iter().all(Option::is_none) {
@@ -161,7 +165,7 @@ impl Free {
             let Some(on_track) = on_tracks[k] else { continue };
             let speed = on_track.along.length();
             let bends = slopes[n].dot(on_track.turn) / (speed * speed);
-            let bends = if stress == Stress::Whole { bends } else { bends.max(0.0) };
+            let bends = bends.max(pressed * bends);
             let [x, y, z] = (on_track.along / speed).to_array();
             let unit = [x, y, z];
             matrix.add_diagonal(
@@ -240,7 +244,7 @@ pub(super) fn rest(
     let size = sheetwright_geometry::boundary::size_of(net.space.iter().copied());
     let too_large = |_| ElasticError::TooLarge;
     let (mut steps, mut passes) = (0, 0);
-    let mut whole = false;
+    let mut pressed = Pressed::new();
     loop {
         if watch.stop() {
             return Err(ElasticError::Stopped);
@@ -250,24 +254,19 @@ pub(super) fn rest(
         }
         steps += 1;
         let down = free.down(energy, &placed);
-        let factor_of = |stress: Stress| {
-            free.matrix(&plan, energy, &placed, stress, 0.0).factor().map_err(too_large)
+        let factor_of = |share: f64| {
+            free.matrix(&plan, energy, &placed, share, 0.0).factor().map_err(too_large)
         };
-        let of_whole = if whole { factor_of(Stress::Whole)? } else { None };
-        let is_whole = of_whole.is_some();
-        let factor = match of_whole {
-            Some(factor) => factor,
-            None => factor_of(Stress::TensionAlone)?.ok_or(ElasticError::NoRest)?,
-        };
+        let factor = pressed.positive(factor_of)?.ok_or(ElasticError::NoRest)?;
         let [step] = factor.solve([&down]);
         let fall = product(&down, &step);
         let value = energy.value(&placed.positions);
         if fall <= AT_REST * value.abs() + energy.negligible() {
-            if is_whole {
+            if pressed.is_whole() {
                 return Ok(free.rest(placed, true, steps));
             }
-            if !whole {
-                whole = true;
+            if factor_of(1.0)?.is_some() {
+                pressed.share = 1.0;
                 continue;
             }
             // A pass: out along the direction of the least curvature.
@@ -291,17 +290,60 @@ pub(super) fn rest(
         }
         // Where nothing falls any more, rounding is all there is.
         let Some(next) = next else {
-            if is_whole || passes == MOST_PASSES {
-                return Ok(free.rest(placed, is_whole, steps));
+            if pressed.is_whole() || passes == MOST_PASSES {
+                return Ok(free.rest(placed, pressed.is_whole(), steps));
             }
-            whole = true;
             passes += 1;
             placed = beyond_pass(&free, &plan, energy, &placed, LEAVE * size)?;
             continue;
         };
         placed = next;
-        // The whole curvature is tried as soon as steps are long.
-        whole = whole || share == 1.0;
+        pressed.after_step(share == 1.0);
+    }
+}
+
+/// The share of the compression that enters the curvature of the energy.
+struct Pressed {
+    share: f64,
+    /// Whether compression has entered at all: once steps are long.
+    has_begun: bool,
+    /// Whether the last share that was tried was too large.
+    was_lowered: bool,
+}
+
+impl Pressed {
+    fn new() -> Self {
+        Self { share: 0.0, has_begun: false, was_lowered: false }
+    }
+
+    fn is_whole(&self) -> bool {
+        self.share == 1.0
+    }
+
+    /// The factor of the curvature with this share or, while that is not positive, with half of it.
+    fn positive<F>(
+        &mut self,
+        factor_of: impl Fn(f64) -> Result<Option<F>, ElasticError>,
+    ) -> Result<Option<F>, ElasticError> {
+        self.was_lowered = false;
+        loop {
+            let factor = factor_of(self.share)?;
+            if factor.is_some() || self.share == 0.0 {
+                return Ok(factor);
+            }
+            self.was_lowered = true;
+            self.share = if self.share > LEAST_PRESSED { 0.5 * self.share } else { 0.0 };
+        }
+    }
+
+    /// Tries all of it once steps are long, and then twice the share that was positive at once.
+    fn after_step(&mut self, is_long: bool) {
+        if !self.has_begun {
+            self.has_begun = is_long;
+            self.share = if is_long { 1.0 } else { 0.0 };
+        } else if !self.was_lowered {
+            self.share = (2.0 * self.share).clamp(LEAST_PRESSED, 1.0);
+        }
     }
 }
 
@@ -314,11 +356,11 @@ fn beyond_pass(
     far_mm: f64,
 ) -> Result<Placed, ElasticError> {
     let too_large = |_| ElasticError::TooLarge;
-    let whole = free.matrix(plan, energy, placed, Stress::Whole, 0.0);
+    let whole = free.matrix(plan, energy, placed, 1.0, 0.0);
     // The least shift, by powers of four, that makes the curvature positive.
     let mut shift = 1e-10 * whole.diagonal_max();
     let factor: Factor<'_, 3> = loop {
-        let shifted = free.matrix(plan, energy, placed, Stress::Whole, shift);
+        let shifted = free.matrix(plan, energy, placed, 1.0, shift);
         if let Some(factor) = shifted.factor().map_err(too_large)? {
             break factor;
         }

@@ -1,11 +1,14 @@
 //! What a real sheet does whose surface was found: the strain that decides the verdict.
 //!
 //! 1. Folds that the boundary itself has, since it turns in space where the pattern does not, are
-//!    needed. An elastic sheet that is scored there is computed. Folds that it does not smooth are
-//!    needed, too: it turns sharply there all the same, and is computed with them scored.
+//!    needed. An elastic sheet that is scored there is computed. If it finds no rest from the
+//!    surface, it begins anew as a far stiffer sheet, which unfolds, and is made softer step by
+//!    step. Folds that it does not smooth are needed, too: it turns sharply there all the same, and
+//!    is computed with them scored.
 //! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
 //!    computed with all of them scored. They are needed if that helps.
-//!    If it is developable and yields, it is computed as one that is rolled (`rolled`). Where it is
+//!    If it is developable and yields, it is computed as one that is rolled (`rolled`); if it may
+//!    be developable and only a rolled sheet takes it, nobody can tell. Where it is
 //!    rolled more tightly than a net can follow, as the tip of a cone, a formula decides.
 //!    Bends that are narrower than a net tells are held as they are (`narrow`).
 //! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
@@ -16,9 +19,10 @@
 
 use super::folds::{Border, folds, weights};
 use super::narrow::{is_beyond_net, narrow_rungs};
-use super::rolled::{is_developable, rolled};
+use super::rolled::{is_developable, is_nearly_developable, rolled};
 use super::screen::curvature_of_rungs;
 use super::thickest::thickest_mm;
+use super::tight::curvature_of_patches;
 use super::{
     Basis, DECIDES, Edges, Elastic, ElasticError, ElasticOptions, Predicted, Stiffness, at_share,
     elastic_on,
@@ -69,8 +73,9 @@ pub fn predict(
     }
     let takes = |mm: f64| judge.takes_in(mm, screened, watch);
     let thickest_mm = thickest_mm(screened.limits.thickness_mm, HALVINGS, takes);
-    // What does not take the shape at all shows every fold.
-    let scored = judge.folds(|_| true);
+    // What folds but does not take the shape at all shows every fold.
+    let is_stiff = !screened.limits.folds();
+    let scored = if is_stiff { predicted.scored.clone() } else { judge.folds(|_| true) };
     (!watch.stop()).then_some(Predicted { thickest_mm, scored, ..predicted })
 }
 
@@ -88,6 +93,18 @@ pub fn predict_alone(
     let (edges, limits) = (&Edges::default(), &screened.limits);
     let judge = Judge { sheet, flat, edges, measures, limits, nets };
     judge.judged(screened, watch).filter(|_| !watch.stop())
+}
+
+/// Whether one result is better than another: a sheet at rest, and one that is strained less.
+fn is_better(
+    one: &Result<Predicted, ElasticError>,
+    other: &Result<Predicted, ElasticError>,
+) -> bool {
+    match (one, other) {
+        (Ok(one), Ok(other)) => one.usage() < other.usage(),
+        (Ok(_), Err(_)) | (Err(ElasticError::Stopped), _) => true,
+        (Err(_), _) => false,
+    }
 }
 
 /// Whether a sheet takes its shape, as far as can be told.
@@ -108,13 +125,23 @@ impl Judge<'_> {
     /// The prediction, with the folds that the sheet needs. `None` where the watcher asks to stop.
     fn judged(&self, screened: &Predicted, watch: &mut dyn Watch) -> Option<Predicted> {
         let elastic = self.elastic(screened, watch)?;
-        if !self.is_developable() {
+        let warp = self.warp();
+        let is_surely = is_developable(self.limits, warp * warp);
+        let is_smooth = self.folds(|_| true).is_empty();
+        let most = elastic.strain_range[1];
+        let may_be_rolled = is_nearly_developable(self.limits, warp * warp)
+            && (is_surely || elastic.usage_range()[1] > 1.0);
+        if !is_smooth || !may_be_rolled {
             return Some(elastic);
         }
         let again = |limits: &Limits| Judge { limits, ..*self }.elastic(screened, watch);
         let curvature = curvature_of_rungs(self.measures, &weights(self.sheet));
         let (_, tightest) = narrow_rungs(self.sheet, self.flat, self.measures, self.limits);
         let found = rolled(elastic, [curvature, tightest], again);
+        if !is_surely {
+            // Few samples may hide the warp of a surface, or make it: then nobody can tell.
+            return Some(Predicted { strain_range: [found.strain_range[0], most], ..found });
+        }
         let is_sure =
             found.usage_range()[1] <= 1.0 || !self.is_rolled_beyond_net(screened, curvature);
         if is_sure {
@@ -136,12 +163,12 @@ impl Judge<'_> {
             && is_beyond_net(curvature, self.measures.area_flat_mm2)
     }
 
-    /// Whether the surface is developable, as far as its samples tell, and smooth.
-    fn is_developable(&self) -> bool {
+    /// The warp that 95 % of the area of the surface stays below, as far as its samples tell,
+    /// radians.
+    fn warp(&self) -> f64 {
         let warps: Vec<f64> =
             self.measures.rungs.iter().map(RungMeasures::warp_of_surface).collect();
-        let warp = at_share(&warps, &weights(self.sheet), DECIDES);
-        self.folds(|_| true).is_empty() && is_developable(self.limits, warp * warp)
+        at_share(&warps, &weights(self.sheet), DECIDES)
     }
 
     /// The prediction for an elastic sheet.
@@ -153,17 +180,20 @@ impl Judge<'_> {
         let folds = self.folds(|_| true);
         let border = Border::new(sheet, flat);
         let needed = self.folds(|rung| border.demands(rung));
-        let mut predicted = self.best(&needed, watch);
+        let mut predicted = self.best(&needed, false, watch);
+        let is_taken = |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(takes);
+        if predicted == Err(ElasticError::NoRest) && self.nets.len() > 1 {
+            predicted = self.best(&needed, true, watch);
+        }
         let unsmoothed = predicted.as_ref().map_or(Vec::new(), |found| self.unsmoothed(found));
         if !unsmoothed.is_empty() {
             let all = self.folds(|rung| needed.contains(&rung) || unsmoothed.contains(&rung));
-            predicted = self.best(&all, watch);
+            predicted = self.best(&all, false, watch);
         }
-        let is_taken = |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(takes);
-        let has_more = |p: &Predicted| p.scored.len() < folds.len();
+        let has_more = |p: &Predicted| limits.folds() && p.scored.len() < folds.len();
         if !is_taken(&predicted) && predicted.as_ref().is_ok_and(has_more) {
-            let folded = self.best(&folds, watch);
-            if is_taken(&folded) || folded == Err(ElasticError::Stopped) {
+            let folded = self.best(&folds, false, watch);
+            if is_taken(&folded) || is_better(&folded, &predicted) {
                 predicted = folded;
             }
         }
@@ -190,10 +220,14 @@ impl Judge<'_> {
         folds(self.measures, is_so)
     }
 
-    /// The folds that the sheet at rest has not smoothed: it turns by more than half of their angle
-    /// from one side to the other within the length of a side of the net.
+    /// The folds that a sheet which folds has not smoothed at rest: it turns by more than half of
+    /// their angle from one side to the other within the length of a side of the net, and by more
+    /// than it takes in half of that, for the net does not tell how tight a bend so narrow is.
     fn unsmoothed(&self, predicted: &Predicted) -> Vec<usize> {
         let Some(sheet) = &predicted.at_rest else { return Vec::new() };
+        if !self.limits.folds() {
+            return Vec::new();
+        }
         let area: f64 = sheet.areas_mm2.iter().sum();
         let side_mm = (area / sheet.triangles.len() as f64).sqrt();
         self.folds(|rung| {
@@ -207,14 +241,25 @@ impl Judge<'_> {
             });
             let turns: Vec<f64> = turns.collect();
             let crease = self.measures.rungs[rung].crease.abs();
-            let sharp = turns.iter().filter(|&&turn| turn > 0.5 * crease).count();
+            let is_beyond = |turn: f64| {
+                let bent = self.limits.use_of(0.0, turn / (0.5 * side_mm));
+                self.limits.outer_fibre.is_none() || bent > 1.0
+            };
+            let is_sharp = |turn: &&f64| **turn > 0.5 * crease && is_beyond(**turn);
+            let sharp = turns.iter().filter(is_sharp).count();
             !predicted.scored.contains(&rung) && 2 * sharp > turns.len()
         })
     }
 
-    /// The prediction for a sheet that is scored along these rungs, in pieces if need be.
-    fn best(&self, scored: &[usize], watch: &mut dyn Watch) -> Result<Predicted, ElasticError> {
-        match self.predicted(scored, watch) {
+    /// The prediction for a sheet that is scored along these rungs, in pieces if need be. It begins
+    /// on the surface or, where that has folds that the sheet may not need, as a stiffer sheet.
+    fn best(
+        &self,
+        scored: &[usize],
+        begins_stiff: bool,
+        watch: &mut dyn Watch,
+    ) -> Result<Predicted, ElasticError> {
+        match self.predicted(scored, begins_stiff, watch) {
             Err(ElasticError::NoNet) => self.in_pieces(scored, watch),
             predicted => predicted,
         }
@@ -224,6 +269,7 @@ impl Judge<'_> {
     fn predicted(
         &self,
         scored: &[usize],
+        begins_stiff: bool,
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
         let Self { sheet, flat, measures, limits, .. } = *self;
@@ -233,11 +279,13 @@ impl Judge<'_> {
         held.dedup();
         let leaves_needles = !narrow.is_empty();
         let at_rest = |options: &ElasticOptions, _: Option<&Elastic>| {
-            let options = ElasticOptions { leaves_needles, ..*options };
+            let options = ElasticOptions { leaves_needles, begins_stiff, ..*options };
             self.at_rest(limits, &held, &options, watch)
         };
         let predicted = by_nets(self.nets, limits, at_rest)?;
-        let curvature = predicted.curvature.max(tightest);
+        let sheet = predicted.at_rest.as_ref();
+        let of_patches = sheet.map_or(0.0, |sheet| curvature_of_patches(sheet, limits));
+        let curvature = predicted.curvature.max(tightest).max(of_patches);
         Ok(Predicted { scored: scored.to_vec(), curvature, ..predicted })
     }
 
@@ -255,7 +303,7 @@ impl Judge<'_> {
             cut.extend((1..pieces).map(|n| n * rungs / pieces).filter(smooth));
             cut.sort_unstable();
             cut.dedup();
-            let predicted = self.predicted(&cut, watch);
+            let predicted = self.predicted(&cut, false, watch);
             if predicted != Err(ElasticError::NoNet) {
                 return predicted.map(|found| Predicted { scored: scored.to_vec(), ..found });
             }

@@ -26,6 +26,11 @@ pub(super) fn is_developable(limits: &Limits, warp_squared: f64) -> bool {
     WARPED * warp_squared <= EASY_SHARE * limits.strain
 }
 
+/// Whether it is so near to a developable one that samples may take it for one, or not.
+pub(super) fn is_nearly_developable(limits: &Limits, warp_squared: f64) -> bool {
+    WARPED * warp_squared <= limits.strain
+}
+
 /// The limits of a sheet that yields at this curvature, 1/mm; `None` of one that does not, or that
 /// has them already.
 fn yielding(limits: &Limits, curvature: f64) -> Option<Limits> {

@@ -23,6 +23,8 @@ const SURFACE_FITS: usize = 3;
 /// A sheet begins so many times as stiff in bending as it is. On saddles of thin sheet, the first
 /// of these starts ends crumpled one time in two.
 const STARTS: [f64; 2] = [1.0, 100.0];
+/// A sheet that begins on a folded surface begins so many times as stiff in bending: it unfolds.
+const STIFF_FOLD: f64 = 1000.0;
 /// A stiffer sheet is made so many times softer at each step; its pattern is fitted once before.
 const SOFTER: f64 = 3.2;
 /// On the way from stiff to soft a sheet buckles, which may take so many times the steps.
@@ -103,7 +105,13 @@ pub(super) fn settled(
             found => found,
         };
     }
-    let given = Settled::new(net, stiffness, net.space.clone(), options, watch);
+    let given = if options.begins_stiff {
+        let still = vec![Vec2::ZERO; net.flat.len()];
+        let once = ElasticOptions { fits: 0, ..*options };
+        fitted_from(STIFF_FOLD, still, net, stiffness, &once, watch)
+    } else {
+        Settled::new(net, stiffness, net.space.clone(), options, watch)
+    };
     let is_to_fit = match &given {
         Ok(now) => now.strain() > options.fitted,
         Err(error) => *error == ElasticError::NoRest,
@@ -160,13 +168,7 @@ fn fitted(
     options: &ElasticOptions,
     watch: &mut dyn Watch,
 ) -> Result<Settled, ElasticError> {
-    let mut sum = vec![Vec2::ZERO; net.flat.len()];
-    for _ in 0..SURFACE_FITS {
-        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
-        let moves = fit::displacement(net, &energy, &net.space).ok_or(ElasticError::NoNet)?;
-        net.flat = moved(&net.flat, &moves, 1.0);
-        sum = added(&sum, &moves, 1.0);
-    }
+    let sum = fit_surface(net, stiffness)?;
     let of_surface = net.flat.clone();
     let mut best: Result<(Settled, Vec<Point2>), ElasticError> = Err(ElasticError::NoRest);
     let starts = if options.starts_anew { &STARTS[..] } else { &STARTS[..1] };
@@ -188,6 +190,18 @@ fn fitted(
     Ok(best)
 }
 
+/// Fits the pattern to the surface itself: how far each node was moved, mm.
+pub(super) fn fit_surface(net: &mut Net, stiffness: Stiffness) -> Result<Vec<Vec2>, ElasticError> {
+    let mut sum = vec![Vec2::ZERO; net.flat.len()];
+    for _ in 0..SURFACE_FITS {
+        let energy = Energy::new(net, stiffness).ok_or(ElasticError::NoNet)?;
+        let moves = fit::displacement(net, &energy, &net.space).ok_or(ElasticError::NoNet)?;
+        net.flat = moved(&net.flat, &moves, 1.0);
+        sum = added(&sum, &moves, 1.0);
+    }
+    Ok(sum)
+}
+
 /// The sheet whose pattern is moved so far, fitted again and again. It begins as one that is so
 /// many times as stiff in bending, which is made softer step by step.
 fn fitted_from(
@@ -199,7 +213,7 @@ fn fitted_from(
     watch: &mut dyn Watch,
 ) -> Result<Settled, ElasticError> {
     let (mut begin, mut moves) = (net.space.clone(), moves);
-    let patience = if stiffer > 1.0 { PATIENCE } else { 1 };
+    let patience = if stiffer > 1.0 && !options.begins_stiff { PATIENCE } else { 1 };
     let patient = ElasticOptions { most_steps: patience * options.most_steps, ..*options };
     let once = ElasticOptions { fits: options.fits.min(1), ..*options };
     let mut stiffer = stiffer;

@@ -41,9 +41,10 @@ impl Wanted {
         self.vary.panels.is_empty() || self.vary.panels.iter().any(|name| name == panel)
     }
 
-    /// Adds a finding to parts that stretch by more.
+    /// Adds a finding to parts that stretch by more, and leaves out the angles that were tried.
     pub(super) fn say_missed(&self, parts: &mut [Part]) {
         for part in parts.iter_mut().filter(|part| self.has(&part.panel)) {
+            part.checked.forget_angles();
             if let Some(missed) = strain_share(part).filter(|share| *share > self.share) {
                 part.checked.add(strain_not_reached(self.share, missed));
             }

@@ -21,7 +21,7 @@ variants!(FindingKind {
     CantTell { strain, limit, sheet, basis },
     RadiusUnsure { least_mm, limit_mm, sheet },
     FoldsNotNeeded { count, sharpest },
-    RadiusTooSmall { least_mm, limit_mm, sheet },
+    RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm },
     SheetTooThick { drawn_mm, inside_mm, thickness_mm },
     Points { count, turn, reach, too_tight },
     SelfCrossing {},
