@@ -1,8 +1,8 @@
 //! The facets of a mesh, and the hinges at which two of them meet.
 
 use super::planes::face_of_triangles;
-use super::rounding::Rounding;
 use crate::flatten::{LaidFace, laid_face};
+use crate::mesh::rounding::Rounding;
 use crate::mesh::{Cut, Mesh, MeshEdge};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};

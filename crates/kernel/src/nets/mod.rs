@@ -1,8 +1,8 @@
 //! Nets: a mesh of flat facets laid flat by folds alone, as a paper model is.
 //!
 //! A facet is a flat face: triangles that hang together and lie in one plane, within the rounding
-//! of their file (`planes`, `rounding`). Two facets meet along a *hinge*, a straight line. Every
-//! hinge is folded or cut. A piece, whose facets hang together by folds, lies flat without
+//! of their file (`planes`, `mesh/rounding`). Two facets meet along a *hinge*, a straight line.
+//! Every hinge is folded or cut. A piece, whose facets hang together by folds, lies flat without
 //! stretching if every vertex that is not flat is reached by a cut. So the folds of a piece form a
 //! tree of facets (of the *dual graph*), and each tree has an exact net. Which tree is a matter of
 //! taste and of one limit: the net must not overlap itself.
@@ -42,7 +42,6 @@ mod mirror;
 mod order;
 mod overlap;
 mod planes;
-mod rounding;
 
 pub use beyond::{Beyond, Strip, StripEnds};
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
