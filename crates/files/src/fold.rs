@@ -60,6 +60,8 @@ fn frame(part: &Part) -> Frame {
         .edges()
         .iter()
         .map(|edge| match edge.triangles {
+            // Rounding alone turns it.
+            _ if part.sheet.is_within_face(edge) => 0.0,
             // Positive in FOLD is a valley, towards the viewer; of a crease, away from it.
             [Some(a), Some(b)] => 0.0 - to_deg(mesh.crease(edge.ends, [a, b])),
             _ => 0.0,

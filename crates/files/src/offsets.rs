@@ -146,6 +146,7 @@ mod tests {
             labels: Vec::new(),
             bends: Vec::new(),
             border: Vec::new(),
+            is_folded: false,
             corner: Point2::default(),
             size: Vec2::ZERO,
         };

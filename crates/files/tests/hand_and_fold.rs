@@ -8,7 +8,8 @@ use sheetwright::make::{Made, make};
 use sheetwright::math::{Point2, Point3, Vec3, cos, from_deg, sin, unit, unit2};
 use sheetwright::watch::Unwatched;
 use sheetwright_files::{
-    Format, OffsetOptions, OutputOptions, ReadOptions, output_files, read_input, write_fold,
+    Format, InputFormat, MeshFormat, OffsetOptions, OutputOptions, ReadOptions, output_files,
+    read_bytes, read_input, write_fold,
 };
 use std::f64::consts::PI;
 use std::path::Path;
@@ -191,4 +192,20 @@ fn facets() -> Made {
     let mut options = ReadOptions::default();
     options.mesh.facets = Some(true);
     make(&read_input(&path, &options).unwrap(), &mut Unwatched).unwrap()
+}
+
+/// A facet of a rounded file turns along its diagonals by rounding alone.
+#[test]
+fn diagonals_of_flat_facets_are_flat() {
+    let text = "v 0.3 0 0\nv 100.13 0 37.42\nv 100.13 80.74 37.43\nv 0.3 80.74 0\n\
+                v 130.6 0 -61.3\nv 130.6 80.74 -61.31\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n";
+    let mut options = ReadOptions::default();
+    options.mesh.facets = Some(true);
+    let format = InputFormat::Mesh(MeshFormat::Obj);
+    let design = read_bytes(format, text.as_bytes(), "roof.obj", None, &options).unwrap();
+    let made = make(&design, &mut Unwatched).unwrap();
+    let frame = frames(&made).remove(0);
+    let marks = frame["edges_assignment"].as_array().unwrap();
+    let count = |mark: &str| marks.iter().filter(|other| *other == mark).count();
+    assert_eq!(["M", "V", "F"].map(count), [1, 0, 2], "{marks:?}");
 }

@@ -216,6 +216,7 @@ fn random_piece(dice: &mut Dice) -> Piece {
         corner: Point2::default(),
         bends: Vec::new(),
         border: Vec::new(),
+        is_folded: false,
     }
 }
 

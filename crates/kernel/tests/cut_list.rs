@@ -75,6 +75,11 @@ fn pieces_of_one_net_do_not_replace_one_another() {
     assert!(bear.cut_list().iter().all(|item| item.instances.len() == 1));
     let prisms = nets(&[prism(6, 20.0).mesh(), prism(6, 20.0).mesh()], [1e4, 1e4]);
     assert_eq!(list(&prisms), named(&[("net-0", 2, 0)]));
+    // Its lids are facets by themselves, which no fold tells from other panels.
+    let prism = nets(&[prism(6, 20.0).mesh()], [102.0, 90.0]);
+    let lids = prism.parts.iter().filter(|part| part.piece.bends.is_empty());
+    assert!(lids.count() >= 2 && prism.parts.len() > 2);
+    assert!(prism.cut_list().iter().all(|item| item.instances.len() == 1), "{:?}", list(&prism));
 }
 
 /// A piece turned, moved, and maybe turned over.

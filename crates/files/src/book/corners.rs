@@ -216,6 +216,7 @@ mod tests {
             corner: Point2::default(),
             bends: Vec::new(),
             border: Vec::new(),
+            is_folded: false,
         }
     }
 

@@ -1,5 +1,6 @@
 //! From the polygons of a file to the triangles of its groups.
 
+use super::doubled::Polygons;
 use super::polygon::{MOST_CORNERS, split};
 use super::{NO_SURFACE, too_many};
 use crate::names::made_for_files;
@@ -33,6 +34,7 @@ pub(crate) struct Built {
 struct Group {
     name: String,
     triangles: Vec<[usize; 3]>,
+    polygons: Polygons,
     left_out: usize,
 }
 
@@ -188,7 +190,9 @@ impl Builder {
         if self.triangles > MAX_TRIANGLES {
             return Err(too_many(where_from()));
         }
+        let first = group.triangles.len();
         group.triangles.extend(triangles);
+        group.polygons.add(&self.points, &ring, first..group.triangles.len());
         Ok(())
     }
 
@@ -210,6 +214,10 @@ impl Builder {
     /// The groups that have triangles, each with the points that its triangles use. The first group
     /// also counts the triangles left out of groups that end up empty.
     pub(crate) fn built(mut self) -> Result<AllBuilt, InputError> {
+        for group in &mut self.groups {
+            let polygons = std::mem::take(&mut group.polygons);
+            polygons.divide_alike(&self.points, &mut group.triangles);
+        }
         // In a file whose triangles share no point, equal coordinates must mean one point.
         let mut used = vec![false; self.points.len()];
         let corners = self.groups.iter().flat_map(|group| group.triangles.iter().flatten());

@@ -1,8 +1,9 @@
 //! Readers of meshes: OBJ, STL, PLY and glTF binary, one module per format.
 //!
 //! Every reader hands its polygons to a [`Builder`], which sorts them into groups, splits those
-//! with more than three corners, welds corners where the format does not share them, and leaves out
-//! triangles with coinciding corners. The kernel checks whether the rest is a surface.
+//! with more than three corners, those that are there twice alike, welds corners where the format
+//! does not share them, and leaves out triangles with coinciding corners. The kernel checks whether
+//! the rest is a surface.
 //!
 //! The readers use no crate. The crates that were tried (tobj 4.0, stl_io 0.8, ply-rs-bw 2.0, gltf
 //! 1.4) give no line or offset of an error; tobj splits a polygon that is not convex into triangles
@@ -10,6 +11,7 @@
 //! leaves its buffer as an absent one.
 
 mod build;
+mod doubled;
 mod glb;
 mod limited;
 mod obj;

@@ -8,7 +8,7 @@ use crate::design::{Design, PanelMesh, PanelShape};
 use crate::flatten::{Aim, Ended, FlattenError, Relaxed, is_no_larger, unfold};
 use crate::material::Material;
 use crate::mesh::{Component, Cut, Mesh, MeshEdge};
-use crate::nets::{Beyond, Coarseness, NetOptions, coarseness, net};
+use crate::nets::{Beyond, Coarseness, NetOptions, coarseness, net, rounding_mm};
 use crate::sheet::{Sheet, cut_along_lines};
 use crate::trim::beyond;
 use sheetwright_geometry::index::VertexIndex;
@@ -17,6 +17,10 @@ use sheetwright_geometry::watch::Watch;
 
 /// Corners of cut lines are rounded by this share of the size that a piece may have.
 const CUT_ROUNDING: f64 = 1e-6;
+
+/// How many times as far apart as rounding explains the sides of a net are, one try after the
+/// other: rounding adds up from facet to facet.
+const ROUNDINGS_APART: [f64; 2] = [1.0, 4.0];
 
 /// A line along which a piece is cut without falling apart, side by side.
 type Slit = Vec<Side>;
@@ -37,12 +41,52 @@ pub(super) struct NetPiece {
 pub(super) fn net_options(design: &Design, settings: &PanelMesh) -> NetOptions {
     let within_mm = settings.pieces_within_mm;
     let beyond = within_mm.map_or_else(Beyond::default, |_| beyond(&design.trims));
-    NetOptions { within_mm, beyond }
+    NetOptions { within_mm, beyond, ..NetOptions::default() }
 }
 
 /// A mesh taken apart into the pieces of its net, which is cut along `seams`, and the net of each,
 /// in the order of the components. Where it is folded by itself, `meant` says why, for each body.
+///
+/// Where a piece overlaps itself when it is laid flat, rounding of the file has moved sides that
+/// nearly touch. The net is sought again then, with sides that keep farther apart than that; the
+/// first one stays where that does not help.
 pub(super) fn divided(
+    whole: &Mesh,
+    seams: &Cut,
+    options: &NetOptions,
+    meant: &[Option<FacetsMeant>],
+    watch: &mut dyn Watch,
+) -> Result<(Sheet, Vec<NetPiece>), MakeCause> {
+    let first = taken_apart(whole, seams, options, meant, watch)?;
+    if !overlaps(&first)? {
+        return Ok(first);
+    }
+    let rounding_mm = rounding_mm(whole);
+    for times in ROUNDINGS_APART {
+        let options = NetOptions { apart_mm: times * rounding_mm, ..*options };
+        let found = taken_apart(whole, seams, &options, meant, watch)?;
+        if !overlaps(&found)? {
+            return Ok(found);
+        }
+    }
+    Ok(first)
+}
+
+/// Whether a piece of a net overlaps itself.
+fn overlaps((sheet, pieces): &(Sheet, Vec<NetPiece>)) -> Result<bool, MakeCause> {
+    let mesh = sheet.mesh();
+    for (piece, component) in pieces.iter().zip(mesh.components()) {
+        let alone = mesh.part(&component.triangles);
+        let alone = alone.map_err(|error| MakeCause::Mesh { error, places: Vec::new() })?.0;
+        if piece.laid(&alone)?.1.flat.overlap.is_some() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// As [`divided`], whether pieces overlap themselves or not.
+fn taken_apart(
     whole: &Mesh,
     seams: &Cut,
     options: &NetOptions,

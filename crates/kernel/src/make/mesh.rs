@@ -483,8 +483,9 @@ fn make_part(
     let Relaxed { flat, flipped, ended, .. } = laid.relaxed;
     let sheet = laid.sheet.laid_at(&flat.points);
     let suggested_cut = cut_suggestion(sheet.mesh(), &laid.distortion, limit).and_then(|cut| {
-        let ends = [*cut.path.first()?, *cut.path.last()?];
-        Some(ends.map(|v| sheet.mesh().position(v)))
+        // Where all points lie on the border, as those of a strip do, nothing leads inwards.
+        let [inside, .., border] = cut.path[..] else { return None };
+        Some([inside, border].map(|v| sheet.mesh().position(v)))
     });
     let measures = measures(CutFrom::Mesh(&mesh, laid.distortion), &sheet, &flat);
     let mut checked = check(&Subject {

@@ -12,6 +12,7 @@ mod crease;
 mod cut;
 mod error;
 mod heal;
+pub(crate) mod rounding;
 mod skins;
 mod specks;
 mod topology;

@@ -1,8 +1,8 @@
 //! The facets of a mesh, and the hinges at which two of them meet.
 
 use super::planes::face_of_triangles;
-use super::rounding::Rounding;
 use crate::flatten::{LaidFace, laid_face};
+use crate::mesh::rounding::Rounding;
 use crate::mesh::{Cut, Mesh, MeshEdge};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
@@ -65,6 +65,8 @@ pub(super) struct Facets {
     pub(super) size_mm: f64,
     /// Rounding keeps points that are meant to be one as near as this, mm.
     pub(super) near_mm: f64,
+    /// How far sides of a piece must be apart, mm, if that is more than rounding of computing.
+    pub(super) apart_mm: f64,
 }
 
 impl Facets {
@@ -90,8 +92,16 @@ impl Facets {
         let first_numbers = first.collect();
         let hinges = Vec::new();
         let near_mm = rounding.between_mm();
-        let mut facets =
-            Self { list, hinges, first_numbers, positions, size_mm, near_mm, of_triangle };
+        let mut facets = Self {
+            list,
+            hinges,
+            first_numbers,
+            positions,
+            size_mm,
+            near_mm,
+            apart_mm: 0.0,
+            of_triangle,
+        };
         for line in lines(mesh, &facets.of_triangle, seams) {
             facets.add_hinge(mesh, line, seams);
         }

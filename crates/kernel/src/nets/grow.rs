@@ -4,7 +4,7 @@ use super::beyond::Room;
 use super::facets::{Facets, Hinge};
 use super::mirror::Mirror;
 use super::order::seam_cost;
-use super::overlap::{APART, Side, is_inside, meet, reaches_into};
+use super::overlap::{Apart, Side, is_inside, meet, reaches_into};
 use crate::flatten::Motion;
 use sheetwright_geometry::disjoint::DisjointSets;
 use sheetwright_geometry::math::Point2;
@@ -306,7 +306,8 @@ impl<'a> Pieces<'a> {
 
     /// Whether any of some moved facets overlaps one of a piece.
     fn overlaps(&mut self, members: &[usize], moved: &[Laid], big: usize) -> bool {
-        let apart_mm = APART * self.facets.size_mm;
+        let apart = Apart::of(self.facets);
+        let apart_mm = apart.sides_mm;
         let [around_moved, around_big] =
             [around(moved.iter()), around(self.members[big].iter().map(|&f| &self.laid[f]))];
         let sides = |n: usize| moved[n].sides(&self.facets.list[members[n]].border);
@@ -331,7 +332,7 @@ impl<'a> Pieces<'a> {
                 let of_other = other.sides(&self.facets.list[f].border);
                 let pairs = own.len() * of_other.len();
                 work += pairs;
-                if own.iter().any(|a| of_other.iter().any(|b| meet(a, b, apart_mm))) {
+                if own.iter().any(|a| of_other.iter().any(|b| meet(a, b, apart))) {
                     overlaps = true;
                     break 'all;
                 }

@@ -1,8 +1,8 @@
 //! Nets: a mesh of flat facets laid flat by folds alone, as a paper model is.
 //!
 //! A facet is a flat face: triangles that hang together and lie in one plane, within the rounding
-//! of their file (`planes`, `rounding`). Two facets meet along a *hinge*, a straight line. Every
-//! hinge is folded or cut. A piece, whose facets hang together by folds, lies flat without
+//! of their file (`planes`, `mesh/rounding`). Two facets meet along a *hinge*, a straight line.
+//! Every hinge is folded or cut. A piece, whose facets hang together by folds, lies flat without
 //! stretching if every vertex that is not flat is reached by a cut. So the folds of a piece form a
 //! tree of facets (of the *dual graph*), and each tree has an exact net. Which tree is a matter of
 //! taste and of one limit: the net must not overlap itself.
@@ -42,17 +42,18 @@ mod mirror;
 mod order;
 mod overlap;
 mod planes;
-mod rounding;
 
 pub use beyond::{Beyond, Strip, StripEnds};
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
 
+use crate::mesh::rounding::Rounding;
 use crate::mesh::{Cut, Mesh, cut_of_part};
 use crate::sheet::Sheet;
 use beyond::Room;
 use facets::Facets;
 use grow::Pieces;
 use mirror::{Mirror, mirrors};
+use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::watch::Watch;
 
@@ -64,6 +65,9 @@ pub struct NetOptions {
     pub within_mm: Option<[f64; 2]>,
     /// What will stand beyond the border of pieces, which counts for that. Default: nothing.
     pub beyond: Beyond,
+    /// Sides of one piece that come nearer than this to one another, mm, count as overlapping, as
+    /// far as they do not meet in a vertex. Default: 0, for which 1e-9 of the size counts.
+    pub apart_mm: f64,
 }
 
 /// A net: how a mesh of facets is cut.
@@ -113,6 +117,12 @@ impl Left {
         let [growing, mending] = [MOST_GROWING, MOST_MENDING].map(part);
         Self { growing, mending, tidying: part(MOST_TIDYING) }
     }
+}
+
+/// How near points of a mesh may lie by the rounding of its file, mm.
+pub fn rounding_mm(mesh: &Mesh) -> f64 {
+    let size_mm = size_of(mesh.positions().iter().copied());
+    Rounding::of(mesh.positions(), size_mm).between_mm()
 }
 
 /// The net of a mesh with the fewest pieces that were found, each of its bodies by itself; it is
@@ -212,7 +222,8 @@ impl Net {
         options: &NetOptions,
         watch: &mut dyn Watch,
     ) -> Option<()> {
-        let facets = Facets::of(body, seams);
+        let mut facets = Facets::of(body, seams);
+        facets.apart_mm = options.apart_mm;
         let mirrors = mirrors(&facets);
         let left = Left::of_share(triangles.len() as f64 / self.of_triangle.len() as f64);
         let room = options.within_mm.map(|within| Room::new(&facets, within, &options.beyond));

@@ -3,15 +3,39 @@
 //! Predicates are exact; one tolerance makes them careful. Facets that share a vertex of the net
 //! touch there and no more. Others must keep apart: where two sides come nearer than [`APART`] of
 //! the size they count as overlapping, so that rounding, which is ten thousand times smaller, can't
-//! decide, nor does the pattern touch itself when it is laid out again from its lengths.
+//! decide, nor does the pattern touch itself when it is laid out again from its lengths. Where the
+//! numbers of the file are rounded, facets that are laid in another order lie elsewhere by that
+//! rounding; a net that overlaps itself for it is sought again with sides that keep apart by more.
 
+use super::facets::Facets;
 use sheetwright_geometry::math::Point2;
 use sheetwright_geometry::predicate::segments_touch;
 use std::cmp::Ordering;
 
 /// Sides that share no vertex are apart by this share of the size of the mesh, and sides that share
 /// one by an angle of so many radians. A cutter can't part lines nearer than that.
-pub(super) const APART: f64 = 1e-9;
+const APART: f64 = 1e-9;
+
+/// How far sides must be apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Apart {
+    /// Those that share no vertex, mm.
+    pub(super) sides_mm: f64,
+    /// The end of one from the line of another that it shares a vertex with, mm, if that is more
+    /// than [`APART`] of its length.
+    ends_mm: f64,
+}
+
+impl Apart {
+    pub(super) fn of(facets: &Facets) -> Self {
+        Self::new(facets.size_mm, facets.apart_mm)
+    }
+
+    /// That of a mesh of this size where `least_mm` is the least for sides that share no vertex.
+    pub(super) fn new(size_mm: f64, least_mm: f64) -> Self {
+        Self { sides_mm: least_mm.max(APART * size_mm), ends_mm: least_mm }
+    }
+}
 
 /// A side of a facet in the plane: its ends, and the vertices of the net that they are.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +45,7 @@ pub(super) struct Side {
 }
 
 /// Whether two sides of facets touch or cross elsewhere than at a vertex that they share.
-pub(super) fn meet(a: &Side, b: &Side, apart_mm: f64) -> bool {
+pub(super) fn meet(a: &Side, b: &Side, apart: Apart) -> bool {
     let shared = |n: usize, k: usize| a.vertices[n] == b.vertices[k];
     let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)];
     let mut common = pairs.into_iter().filter(|&(n, k)| shared(n, k));
@@ -31,10 +55,12 @@ pub(super) fn meet(a: &Side, b: &Side, apart_mm: f64) -> bool {
         (Some((n, k)), None) => {
             let (from, to) = (a.ends[n], a.ends[1 - n]);
             let (u, v) = (to - from, b.ends[1 - k] - b.ends[k]);
-            u.dot(v) > 0.0 && u.perp_dot(v).abs() <= APART * u.length() * v.length()
+            let (short, long) = (u.length().min(v.length()), u.length().max(v.length()));
+            let near_mm = apart.ends_mm.max(APART * short);
+            u.dot(v) > 0.0 && u.perp_dot(v).abs() <= near_mm * long
         }
         _ => {
-            let [[p, q], [r, s]] = [a.ends, b.ends];
+            let ([[p, q], [r, s]], apart_mm) = ([a.ends, b.ends], apart.sides_mm);
             is_near_box(a, b, apart_mm)
                 && (segments_touch(p, q, r, s)
                     || [(p, [r, s]), (q, [r, s]), (r, [p, q]), (s, [p, q])]

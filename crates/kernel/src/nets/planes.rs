@@ -5,7 +5,7 @@
 //! to the sum of the area vectors, which is that of the border alone and so hardly feels how points
 //! inside, or narrow triangles, are rounded; it passes midway between the points on its two sides.
 
-use super::rounding::Rounding;
+use crate::mesh::rounding::Rounding;
 use crate::mesh::{Cut, Mesh};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Vec3, unit};

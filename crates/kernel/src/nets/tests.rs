@@ -1,4 +1,4 @@
-use super::overlap::{Side, is_inside, meet, reaches_into};
+use super::overlap::{Apart, Side, is_inside, meet, reaches_into};
 use sheetwright_geometry::math::Point2;
 
 /// A closed line of sides through these points, which are vertices of these numbers.
@@ -12,7 +12,7 @@ fn ring(points: &[([f64; 2], u32)]) -> Vec<Side> {
 }
 
 fn any_meet(a: &[Side], b: &[Side]) -> bool {
-    a.iter().any(|a| b.iter().any(|b| meet(a, b, 1e-9)))
+    a.iter().any(|a| b.iter().any(|b| meet(a, b, Apart::new(1.0, 0.0))))
 }
 
 #[test]

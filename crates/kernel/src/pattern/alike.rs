@@ -94,7 +94,7 @@ pub fn alike(a: &Piece, b: &Piece, within_mm: f64) -> Option<EqualPiece> {
     if of_a.len() != of_b.len() || of_a.len() < 3 {
         return None;
     }
-    let is_net = is_of_net(a) || is_of_net(b);
+    let is_net = a.is_folded || b.is_folded;
     if is_net && joints(a) != joints(b) {
         return None;
     }
@@ -173,11 +173,6 @@ fn corners_off_mm(lines: &[Line], others: &[Line]) -> impl Iterator<Item = f64> 
             others.map(|other| other.distance(p)).fold(f64::INFINITY, f64::min)
         })
     })
-}
-
-/// Whether a piece is one of a net of facets.
-fn is_of_net(piece: &Piece) -> bool {
-    piece.paths.iter().any(|path| matches!(path.kind, PathKind::Fold { .. }))
 }
 
 /// The marks of its joints with other pieces, in order.

@@ -245,6 +245,8 @@ pub struct Piece {
     pub bends: Vec<BendLine>,
     /// Where the corners of the net's outline lie in space, mm, in their order.
     pub border: Vec<Point3>,
+    /// Whether it is a piece of a mesh whose facets are folded; one of a single facet has no fold.
+    pub is_folded: bool,
 }
 
 impl Piece {
@@ -259,6 +261,7 @@ impl Piece {
             corner: Point2::default(),
             bends: Vec::new(),
             border: Vec::new(),
+            is_folded: false,
         }
     }
 
@@ -376,8 +379,8 @@ pub(crate) fn piece_bent(
     let (dimension_paths, dimension_labels) = dimension::overall(size, height_mm);
     paths.extend(dimension_paths);
     labels.extend(dimension_labels);
-    let corner = Point2::default();
-    let mut piece = Piece { name: name.to_owned(), paths, labels, size, corner, bends, border };
+    let (name, corner, is_folded) = (name.to_owned(), Point2::default(), options.is_net);
+    let mut piece = Piece { name, paths, labels, size, corner, bends, border, is_folded };
     let (marks, is_net) = (options.bends.marks, options.is_net);
     if !options.is_bare {
         let flat = &flat.points;

@@ -134,7 +134,7 @@ impl Sheet {
     }
 
     /// Whether a side of its mesh lies within a flat face: it turns there by rounding alone.
-    pub(crate) fn is_within_face(&self, edge: &MeshEdge) -> bool {
+    pub fn is_within_face(&self, edge: &MeshEdge) -> bool {
         let face = |n: usize| edge.triangles[n].and_then(|t| self.faces.get(t.get()));
         face(0).is_some() && face(0) == face(1)
     }

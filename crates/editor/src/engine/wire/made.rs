@@ -32,7 +32,7 @@ fields!(Shown {
 });
 fields!(ShownStrain { flat, positions, triangles, strains, decides, limit });
 fields!(ShownRung { ends, flat_ends, warp_deg, is_unsure, crease_deg, normals });
-fields!(Piece { name, paths, labels, size, corner, bends, border });
+fields!(Piece { name, paths, labels, size, corner, bends, border, is_folded });
 fields!(BendLine { strip, is_fold, ends, angle, inside_radius_mm, pitch_mm, along_mm, beyond_mm });
 fields!(PatternPath { role, kind, points, closed });
 fields!(PatternLabel { kind, role, at, along, height_mm, text });

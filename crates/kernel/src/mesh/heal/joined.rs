@@ -27,6 +27,9 @@ const OF_HEIGHT: f64 = 0.1;
 /// Points lie in one place within this share of the sides there, and on a side within this share of
 /// the way to its ends, so that no side turns by more: half a degree.
 const OF_LENGTH: f64 = 0.01;
+/// Where the numbers of the file are rounded, a point that is off a side by no more than that is on
+/// it within this share of the way to its ends.
+const ROUNDED_OF_LENGTH: f64 = 0.1;
 
 /// The sides of the border of a mesh, with what is near to each.
 struct Border {
@@ -189,7 +192,8 @@ fn chain(work: &Work, border: &Border, fillers: &Fillers, n: usize) -> Vec<Verte
             let t = along(p.to_vec());
             let to_end = t.min(length - t);
             let off = (p - from - way * (t / length)).length();
-            let is_on = off <= reach && to_end > reach && off <= OF_LENGTH * to_end;
+            let share = if off <= work.rounding { ROUNDED_OF_LENGTH } else { OF_LENGTH };
+            let is_on = off <= reach && to_end > reach && off <= share * to_end;
             if is_on && !own.contains(&name(vertex)) {
                 on.push((t, name(vertex)));
             }

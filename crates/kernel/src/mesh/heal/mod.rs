@@ -11,9 +11,10 @@
 //! 4. where more than two triangles share a side, the mesh is parted ([`parted`]);
 //! 5. triangles and closed components that face the wrong way are turned round ([`turned`]).
 //!
-//! No vertex moves by more than [`Tolerance::JOINED`] of the size of the mesh, and a mesh that
-//! needs none of this stays as it is. What is meant to be apart comes as several meshes, each
-//! healed alone. A surface with one side only can't be healed; `Mesh::new` refuses it.
+//! No vertex moves by more than [`Tolerance::JOINED`] of the size of the mesh, or than the rounding
+//! of its file explains, and a mesh that needs none of this stays as it is. What is meant to be
+//! apart comes as several meshes, each healed alone. A surface with one side only can't be healed;
+//! `Mesh::new` refuses it.
 
 mod doubled;
 mod fillers;
@@ -21,6 +22,7 @@ mod joined;
 mod parted;
 mod turned;
 
+use super::rounding::Rounding;
 use super::topology::{groups, sorted_sides};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::VertexIndex;
@@ -28,8 +30,8 @@ use sheetwright_geometry::math::{Point3, Vec3};
 use sheetwright_geometry::tolerance::{MIN_SIZE_MM, Tolerance};
 use std::cmp::Ordering;
 
-/// Rounding of coordinates far from the origin, in units of their last place: that of a point and
-/// of the two ends of a side that it lies on, in three coordinates.
+/// Rounding of coordinates far from the origin as they are computed, in units of their last place:
+/// that of a point and of the two ends of a side that it lies on, in three coordinates.
 const ROUNDED_PLACES: f64 = 8.0;
 
 /// What was wrong with a mesh before it was healed.
@@ -81,6 +83,8 @@ struct Work {
     reach: f64,
     /// The height below which a triangle may be a filler, mm.
     filler: f64,
+    /// The height up to which the rounding of the file may have made a filler a triangle, mm.
+    rounding: f64,
     healings: Vec<Healing>,
 }
 
@@ -116,12 +120,14 @@ pub fn healed(positions: &[Point3], triangles: &[[VertexIndex; 3]]) -> Option<He
         return None;
     }
     let farthest = positions.iter().fold(0.0, |most: f64, p| most.max(longest_coordinate(*p)));
-    let rounding = ROUNDED_PLACES * f64::EPSILON * farthest;
+    let last_places = ROUNDED_PLACES * f64::EPSILON * farthest;
+    let rounding = Rounding::of(positions, size).certain_mm();
     let mut work = Work {
         positions: positions.to_vec(),
         triangles: triangles.to_vec(),
-        reach: Tolerance::JOINED.length_mm(size).max(rounding),
-        filler: Tolerance::FILLER.length_mm(size).max(rounding),
+        reach: Tolerance::JOINED.length_mm(size).max(last_places).max(rounding),
+        filler: Tolerance::FILLER.length_mm(size).max(last_places),
+        rounding,
         healings: Vec::new(),
     };
     let fillers = fillers::leave_out(&mut work);

@@ -1,6 +1,7 @@
 use super::*;
 use crate::mesh::{Mesh, MeshError, separated};
 use sheetwright_geometry::index::TriangleIndex;
+use sheetwright_geometry::math::{cos, sin};
 
 fn v(n: usize) -> VertexIndex {
     VertexIndex::new(n)
@@ -143,6 +144,40 @@ fn fillers_within_fillers_divide_a_side_as_often() {
     let (mesh, healings) = heal(&soup(&positions, &triangles));
     assert_eq!(healings, [(Damage::Filler, 7), (Damage::OnSide, 7)]);
     assert_eq!(shape(&mesh), (1, 1, 72.0));
+}
+
+/// A tilted square, its numbers rounded to three decimals, whose diagonal has a point in its middle
+/// on one side, with a filler between that is as low as rounding makes it.
+#[test]
+fn a_filler_that_rounding_turned_is_left_out() {
+    let positions = [
+        [1.0, 2.0, 3.0],
+        [-48.25, 45.309, 35.059],
+        [-52.922, -1.393, 90.971],
+        [-3.672, -44.702, 58.912],
+        [-23.625, 23.654, 19.03],
+        [-9.151, 68.15, -18.844],
+    ];
+    let triangles = [[0, 2, 3], [0, 1, 2], [0, 4, 1], [0, 5, 4], [4, 5, 1]];
+    let (mesh, healings) = heal(&soup(&positions, &triangles));
+    assert_eq!(healings, [(Damage::Filler, 1), (Damage::OnSide, 1)]);
+    assert_eq!(shape(&mesh).0, 1);
+}
+
+/// The ears of a round face are as low, but lie in its plane.
+#[test]
+fn ears_of_a_round_face_are_no_fillers() {
+    const COUNT: usize = 340;
+    let rounded = |x: f64| (100.0 * x).round() / 100.0;
+    let corner = |n: usize| {
+        let angle = std::f64::consts::TAU * n as f64 / COUNT as f64;
+        [50.0 * cos(angle), 50.0 * sin(angle), 0.0].map(rounded)
+    };
+    let positions: Vec<[f64; 3]> = (0..COUNT).map(corner).collect();
+    let ears = (0..COUNT).step_by(2).map(|n| [n, n + 1, (n + 2) % COUNT]);
+    let fan = (2..COUNT - 2).step_by(2).map(|n| [0, n, n + 2]);
+    let triangles: Vec<[usize; 3]> = ears.chain(fan).collect();
+    assert_eq!(heal(&soup(&positions, &triangles)).1, []);
 }
 
 #[test]
