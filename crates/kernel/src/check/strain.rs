@@ -69,8 +69,8 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
 }
 
 /// The finding that the sheet is bent more tightly than it takes: where it was computed, as it lies
-/// at rest. Where a formula speaks of a sheet that does not fold, and of few samples, these may be too
-/// few to tell: rulings turn so much from one to the next that a tight end may lie between two.
+/// at rest. Where a formula speaks of a sheet that does not fold, or there are few samples, these
+/// may not tell: rulings turn so much from one to the next that a tight end may lie between two.
 fn radius(
     predicted: Option<&Predicted>,
     measures: &Measures,
