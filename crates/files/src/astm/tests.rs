@@ -148,6 +148,7 @@ fn what_a_cutter_needs_comes_back() {
     let labels = vec![label(Role::Engrave, "Rücken 板"), label(Role::Note, "100 mm")];
     let (name, size) = ("Rücken 板".into(), Vec2::new(100.0, 50.0));
     let piece = Piece {
+        is_folded: false,
         name,
         paths,
         labels,
@@ -196,7 +197,8 @@ fn a_grain_that_is_marked_takes_the_place_of_the_usual_line() {
     ];
     let (name, size) = ("front".into(), Vec2::new(100.0, 50.0));
     let (labels, bends, corner) = (Vec::new(), Vec::new(), Point2::default());
-    let piece = Piece { name, paths, labels, bends, border: Vec::new(), corner, size };
+    let border = Vec::new();
+    let piece = Piece { name, paths, labels, bends, border, corner, size, is_folded: false };
     let (_, pieces) = read(&written("bag", None, &[(&piece, Quantity { count: 1, mirrored: 0 })]));
     assert_eq!(pieces["front"].grain, [[arrow[0], arrow[1]]]);
     assert_eq!(pieces["front"].open["8"], [loop_of(&[(10.0, 0.0), (10.0, 50.0)])]);

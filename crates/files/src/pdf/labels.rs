@@ -144,6 +144,7 @@ mod tests {
         };
         let (name, corner) = ("front".to_owned(), Point2::default());
         Piece {
+            is_folded: false,
             name,
             paths: vec![outline],
             labels,
