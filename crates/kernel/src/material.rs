@@ -287,7 +287,8 @@ impl Limits {
         0.5 * self.thickness_mm * curvature
     }
 
-    /// Whether it takes a sharp fold along a scored line: [`Material::folds`], and an unknown sheet.
+    /// Whether it takes a sharp fold along a scored line: as [`Material::folds`] says; an unknown
+    /// sheet does.
     pub fn folds(&self) -> bool {
         self.outer_fibre.is_none_or(|limit| 2.0 * MOST_THICKNESSES * limit >= 1.0)
     }

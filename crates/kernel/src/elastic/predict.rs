@@ -34,7 +34,7 @@ use crate::mesh::Cut;
 use crate::sheet::{Sheet, cut_along};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::VertexIndex;
-use sheetwright_geometry::math::{Vec2, angle_between};
+use sheetwright_geometry::math::{Point3, Vec2, angle_between};
 use sheetwright_geometry::watch::Watch;
 
 /// The nets: about how many triangles each has, and how many steps it may take at the most. A finer
@@ -283,10 +283,26 @@ impl Judge<'_> {
             self.at_rest(limits, &held, &options, watch)
         };
         let predicted = by_nets(self.nets, limits, at_rest)?;
-        let sheet = predicted.at_rest.as_ref();
-        let of_patches = sheet.map_or(0.0, |sheet| curvature_of_patches(sheet, limits));
+        let of_sheet = |sheet| curvature_of_patches(sheet, limits, &self.points());
+        let of_patches = predicted.at_rest.as_ref().map_or(0.0, of_sheet);
         let curvature = predicted.curvature.max(tightest).max(of_patches);
         Ok(Predicted { scored: scored.to_vec(), curvature, ..predicted })
+    }
+
+    /// The points of the surface, where rulings run together, each with how far round it the sheet
+    /// can't follow, mm. One that reaches over the whole panel is none.
+    fn points(&self) -> Vec<(Point3, f64)> {
+        let Some(limit) = self.limits.outer_fibre else { return Vec::new() };
+        let least_mm = self.limits.outer_fibre_at(1.0) / limit;
+        let mesh = self.sheet.mesh();
+        let size_mm = size_of(mesh.positions().iter().copied());
+        let vertices = (0..mesh.positions().len()).map(VertexIndex::new);
+        let of_vertex = |v: VertexIndex| {
+            let apexes = self.measures.apexes.iter();
+            let here = apexes.filter(move |apex| apex.sample == self.sheet.sample(v));
+            here.map(move |apex| (mesh.position(v), apex.reach_mm(least_mm)))
+        };
+        vertices.flat_map(of_vertex).filter(|(_, reach_mm)| *reach_mm < size_mm).collect()
     }
 
     /// The prediction for a sheet whose pattern overlaps itself: cut along some rungs, evenly, into

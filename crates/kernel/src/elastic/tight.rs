@@ -1,12 +1,14 @@
 //! Patches of a sheet at rest that are bent more tightly than it takes.
 //!
 //! What 95 % of the area stays below leaves out points, where every sheet creases a little. It
-//! leaves out the narrow end of a long cone, too, where the sheet breaks all the same. So a patch of
-//! triangles side by side counts for itself, however little of the area it is, if it is as large as
-//! the net tells.
+//! leaves out the narrow end of a long cone, too, where the sheet breaks all the same. So a patch
+//! of triangles side by side counts for itself, however little of the area it is, if it is as large
+//! as the net tells. What lies so near to a point of the surface that no sheet follows it is no
+//! patch.
 
 use super::{Elastic, at_share};
 use crate::material::Limits;
+use sheetwright_geometry::math::Point3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A patch of fewer triangles is a point.
@@ -15,8 +17,14 @@ const FEWEST: usize = 6;
 const CURL: f64 = 1.1;
 
 /// The tightest curvature that half of such a patch stays above, 1/mm; 0 where there is none.
-pub(super) fn curvature_of_patches(sheet: &Elastic, limits: &Limits) -> f64 {
-    let is_tight = |&t: &usize| limits.use_of(0.0, sheet.curvatures[t]) > CURL;
+/// `points` are those of the surface, each with its reach, mm.
+pub(super) fn curvature_of_patches(
+    sheet: &Elastic,
+    limits: &Limits,
+    points: &[(Point3, f64)],
+) -> f64 {
+    let is_at_point = |t| points.iter().any(|(at, reach)| sheet.middle(t).distance(*at) < *reach);
+    let is_tight = |&t: &usize| limits.use_of(0.0, sheet.curvatures[t]) > CURL && !is_at_point(t);
     let tight: Vec<usize> = (0..sheet.triangles.len()).filter(is_tight).collect();
     let of_patch = |patch: &Vec<usize>| {
         if patch.len() < FEWEST {
