@@ -65,6 +65,7 @@ fn piece(read: &ReadPattern) -> Piece {
     let hole = |hole: &Vec<Point2>| path(Role::Inner, PathKind::Hole, hole.clone(), true);
     let paths = std::iter::once(outline).chain(read.holes.iter().map(hole)).chain(rungs).collect();
     Piece {
+        is_folded: false,
         name: "again".to_owned(),
         paths,
         labels: Vec::new(),
