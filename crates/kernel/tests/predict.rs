@@ -63,8 +63,6 @@ fn twisted_strips_need_no_fold_until_they_stretch_too_much() {
     assert!(scored(&part) > 0);
 }
 
-/// The formula smooths the fold of the cheapest surface as the computed sheet does; where it can't
-/// tell, a batch computes the sheet.
 /// Between held edges, even a sheet that does not buckle strains by no more than ω²/8.
 #[test]
 fn soft_sheet_is_twisted_without_a_fold() {
@@ -98,6 +96,8 @@ fn a_sheet_that_does_not_fold_is_judged_by_its_smooth_shape() {
     assert!(is_taken && scored(&part) == 0, "{thickest_mm} {:?}", part.checked.verdict);
 }
 
+/// The formula smooths the fold of the cheapest surface as the computed sheet does; where it can't
+/// tell, a batch computes the sheet.
 #[test]
 fn the_formula_needs_no_fold_where_the_sheet_needs_none() {
     for deg in [5.0, 10.0, 20.0, 30.0] {
