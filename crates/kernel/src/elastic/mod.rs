@@ -98,8 +98,8 @@ pub struct ElasticOptions {
     /// Whether it is fitted once more from a stiffer sheet, where the sheet stays strained by far
     /// more. Default: no.
     pub starts_anew: bool,
-    /// Whether it begins as a far stiffer sheet, which is made softer step by step: so it finds the
-    /// smooth shape beside a folded surface. Default: no.
+    /// Whether it begins as a far stiffer sheet, which is made softer step by step: so it finds a
+    /// rest beside a folded surface where it finds none as it is. Default: no.
     pub begins_stiff: bool,
     /// How the triangles of the surface are taken. Default: they are the surface.
     pub reading: Reading,

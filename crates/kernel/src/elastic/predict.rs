@@ -252,7 +252,7 @@ impl Judge<'_> {
     }
 
     /// The prediction for a sheet that is scored along these rungs, in pieces if need be. It begins
-    /// on the surface or, where that has folds that the sheet may not need, as a stiffer sheet.
+    /// as it is or, where it found no rest so, as a stiffer sheet.
     fn best(
         &self,
         scored: &[usize],
