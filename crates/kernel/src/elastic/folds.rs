@@ -41,8 +41,8 @@ impl<'a> Border<'a> {
 
     /// Whether the boundary has the fold, at one of its ends at least: there the boundary turns in
     /// space by another angle than on the pattern, and by far more so than at the samples beside
-    /// it. No smooth sheet does that. A corner of the pattern does not tell: its angle depends on the
-    /// folds that the surface has there, whether the sheet needs them or not.
+    /// it. No smooth sheet does that. A corner of the pattern does not tell: its angle depends on
+    /// the folds that the surface has there, whether the sheet needs them or not.
     pub(super) fn demands(&self, rung: usize) -> bool {
         self.sheet.rung_ends()[rung].into_iter().any(|end| {
             let [before, here, after] = [-1, 0, 1].map(|step| self.kink(end, step));
