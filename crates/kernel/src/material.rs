@@ -254,6 +254,9 @@ pub struct Limits {
     pub yields: Option<f64>,
     /// The moment that a bend takes, as a share of that of a sheet that does not yield.
     pub moment_share: f64,
+    /// Whether it takes a sharp fold along a scored line, as [`Material::folds`] says; an unknown
+    /// sheet does.
+    pub folds: bool,
 }
 
 impl Limits {
@@ -273,6 +276,7 @@ impl Limits {
             outer_fibre: material.map(|m| 0.5 * thickness_mm / m.bend_radius_mm.value),
             yields: material.and_then(|m| value(&m.yield_strain)),
             moment_share: 1.0,
+            folds: material.is_none_or(Material::folds),
         }
     }
 
@@ -287,10 +291,9 @@ impl Limits {
         0.5 * self.thickness_mm * curvature
     }
 
-    /// Whether it takes a sharp fold along a scored line: as [`Material::folds`] says; an unknown
-    /// sheet does.
-    pub fn folds(&self) -> bool {
-        self.outer_fibre.is_none_or(|limit| 2.0 * MOST_THICKNESSES * limit >= 1.0)
+    /// The least radius that it is bent to, mm, if a material tells.
+    pub fn bend_radius_mm(&self) -> Option<f64> {
+        self.outer_fibre.map(|limit| self.outer_fibre_at(1.0) / limit)
     }
 
     /// Whether its outer fibre yields where the sheet has this curvature, 1/mm.
@@ -338,6 +341,8 @@ mod tests {
     #[test]
     fn what_is_bent_tightly_folds() {
         assert!(sheet(1.5, 15.0).folds());
+        // Ten thicknesses to the last bit, which quotients miss.
+        assert!(Limits::of(Some(&sheet(0.01, 0.1)), 1.0, 0.0).folds);
         assert!(!sheet(3.0, 290.0).folds());
     }
 

@@ -137,6 +137,21 @@ fn windows_hardly_change_it() {
 }
 
 #[test]
+fn a_radius_that_is_less_than_the_limit_by_some_per_cent_is_undecided() {
+    let patch = Family::CylinderPatch.boundary(200);
+    for (limit_mm, told) in [
+        (98.0, Verdict::BendsWithForce),
+        (102.0, Verdict::Undecided),
+        (108.0, Verdict::WillNotBend),
+    ] {
+        let mut sheet = plywood();
+        sheet.thickness_mm.value = 1.0;
+        sheet.bend_radius_mm.value = limit_mm;
+        assert_eq!(checked(&patch, Some(&sheet)).1, told, "100 mm of {limit_mm}");
+    }
+}
+
+#[test]
 fn straight_sides_and_flat_corners_do_not_change_it() {
     for m in [50, 100, 200, 400] {
         let radius = measured(&Family::CylinderPatch.boundary(m)).bend_radius_min_mm;

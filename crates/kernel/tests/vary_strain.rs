@@ -73,6 +73,8 @@ fn a_goal_out_of_reach_is_said_with_what_is_left() {
     let made = made(&wavy(20.0, Some(0.4), 1.0));
     let part = &made.parts[0];
     assert!(misses(part) && share(part) > 0.4);
+    let is_of_angle = |kind: &FindingKind| matches!(kind, FindingKind::WarpNotReached { .. });
+    assert!(!part.checked.findings.iter().any(|finding| is_of_angle(&finding.kind)));
     assert!(part.change().unwrap().moved_max_mm() <= 1.0 + 1e-9);
 }
 

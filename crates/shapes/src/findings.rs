@@ -116,8 +116,22 @@ fn of_surfaces() -> Vec<Finding> {
             Place::Whole,
         ),
         Finding::new(
-            Kind::RadiusUnsure { least_mm: 298.7, limit_mm: 290.0, sheet: "plywood".to_owned() },
+            Kind::RadiusUnsure {
+                least_mm: 298.7,
+                limit_mm: 290.0,
+                is_coarse: true,
+                sheet: "plywood".to_owned(),
+            },
             rungs(&[3, 4]),
+        ),
+        Finding::new(
+            Kind::RadiusUnsure {
+                least_mm: 287.4,
+                limit_mm: 290.0,
+                is_coarse: false,
+                sheet: "plywood".to_owned(),
+            },
+            rungs(&[5]),
         ),
         Finding::new(Kind::FoldsNotNeeded { count: 2, sharpest }, rungs(&[3, 4])),
         Finding::new(

@@ -5,6 +5,7 @@
 //! polygons; so a later polygon with the corners of an earlier one takes the triangles of that.
 
 use sheetwright::math::Point3;
+use sheetwright::random::Random;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -81,12 +82,9 @@ fn key(points: &[Point3], ring: &[usize]) -> u64 {
     sides.fold(0, u64::wrapping_add)
 }
 
-/// A number all of whose bits depend on all bits of another one (the last steps of SplitMix64).
+/// A number all of whose bits depend on all bits of another one.
 fn mixed(bits: u64) -> u64 {
-    let bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
+    Random::new(bits).bits()
 }
 
 /// The corners of a polygon that lie where those of another one do.

@@ -78,14 +78,19 @@ pub fn finding_text(finding: &Finding) -> String {
             if *count == 1 { "it" } else { "them" }
         ),
         Kind::RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm } => format!(
-            "The smallest bend radius of the panel is {least_mm:.1} mm; the limit for {sheet} is \
-             {limit_mm:.1} mm.{} Choose a thinner sheet, or draw the boundary rounder.",
+            "The sheet is bent to {least_mm:.1} mm; the limit for {sheet} is {limit_mm:.1} mm.{} \
+             Choose a thinner sheet, or draw the boundary rounder.",
             would_take(*thickest_mm)
         ),
         Kind::SheetTooThick { drawn_mm, inside_mm, thickness_mm } => {
             sheet_too_thick(*drawn_mm, *inside_mm, *thickness_mm)
         }
-        Kind::RadiusUnsure { least_mm, limit_mm, sheet } => format!(
+        Kind::RadiusUnsure { least_mm, limit_mm, is_coarse: false, sheet } => format!(
+            "The sheet is bent to {least_mm:.1} mm, and the limit for {sheet} is {limit_mm:.1} mm. \
+             That is too near to tell. Choose a slightly thinner sheet, or draw the boundary \
+             rounder."
+        ),
+        Kind::RadiusUnsure { least_mm, limit_mm, is_coarse: true, sheet } => format!(
             "The samples are too coarse to tell how tightly the sheet is bent: by them to \
              {least_mm:.1} mm, where the limit for {sheet} is {limit_mm:.1} mm. Use more samples."
         ),

@@ -39,7 +39,7 @@ pub(super) fn not_needed(
         Some(wanted) => format!("no ruling twists by more than the goal of {wanted:.1}°"),
         None => "less twist, which moving aims at, would not help".to_owned(),
     };
-    // An angle that nobody set can't be set smaller.
+    // Without a goal there is no angle to set smaller.
     let kept = Some(kept).filter(|kept| wanted.is_some() || *kept != Hindrance::Strain);
     format!(": {twist}, {tell}.{}", keeps_from_bending(kept))
 }

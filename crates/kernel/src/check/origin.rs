@@ -164,7 +164,8 @@ pub(crate) fn moved(moving: &BoundaryMoved<'_>) -> Finding {
 }
 
 impl Checked {
-    /// Leaves out the angles that a boundary was moved for in place of a strain: nobody set them.
+    /// Leaves out the angles that a boundary was moved for in place of a strain: they are steps of
+    /// the search, no goals of the design.
     pub(crate) fn forget_angles(&mut self) {
         for Finding { kind, place } in &mut self.findings {
             match kind {
@@ -180,6 +181,8 @@ impl Checked {
                 _ => {}
             }
         }
+        // What was a warning may be a note now.
+        self.sort();
     }
 }
 

@@ -6,11 +6,8 @@ use crate::material::{EASY_SHARE, Material};
 use crate::measure::{Measures, RungMeasures};
 use sheetwright_geometry::math::from_deg;
 
-/// Over so many rungs, a computed sheet shows the tight ends of a surface itself.
+/// With so many rungs or more, a computed sheet shows the tight ends of a surface itself.
 const FINE: usize = 200;
-/// What no ruling tells is bent too tightly below this share of the least radius of its sheet: a
-/// computed sheet, and a mesh, have theirs within some per cent.
-const COMPUTED_SHARE: f64 = 0.95;
 
 /// The findings that follow from a prediction and from the measures of a surface that was found.
 pub(super) fn findings(
@@ -68,9 +65,10 @@ fn roll(predicted: &Predicted) -> Option<Finding> {
     Some(Finding::of_whole(FindingKind::Roll { radius_mm: 1.0 / curvature, from_mm, sheet }))
 }
 
-/// The finding that the sheet is bent more tightly than it takes: where it was computed, as it lies
-/// at rest. Where a formula speaks of a sheet that does not fold, or there are few samples, these
-/// may not tell: rulings turn so much from one to the next that a tight end may lie between two.
+/// The finding that the sheet is bent more tightly than it takes, or that its radius is too near to
+/// the limit to tell. The radius is that of the computed sheet at rest, or of the formula. Samples
+/// may be too coarse to tell, of a sheet that does not fold, where the formula decides or rungs are
+/// few: rulings turn so much from one to the next that a tight end may lie between two.
 fn radius(
     predicted: Option<&Predicted>,
     measures: &Measures,
@@ -78,12 +76,17 @@ fn radius(
 ) -> Option<Finding> {
     let predicted = predicted?;
     let (limit_mm, sheet) = (material.bend_radius_mm.value, material.title.clone());
-    let (least_mm, thickest_mm) = (1.0 / predicted.curvature, predicted.thickest_mm);
+    let ([least_mm, most_mm], thickest_mm) = (predicted.radius_range_mm(), predicted.thickest_mm);
     let is_mesh = measures.distortion.is_some();
     let is_tight = |r: &RungMeasures| !r.is_fold && r.bend_radius_mm < limit_mm;
     let is_told = measures.rungs.iter().any(is_tight);
-    if least_mm < if is_told { limit_mm } else { COMPUTED_SHARE * limit_mm } {
-        let kind = FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm };
+    let is_sure = most_mm < limit_mm;
+    if is_sure || is_told && least_mm < limit_mm {
+        let kind = if is_sure {
+            FindingKind::RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm }
+        } else {
+            FindingKind::RadiusUnsure { least_mm, limit_mm, is_coarse: false, sheet }
+        };
         let place = if is_told { Place::rungs(&measures.rungs, is_tight) } else { Place::Whole };
         return Some(Finding::new(kind, place));
     }
@@ -95,7 +98,7 @@ fn radius(
     let is_coarse = |r: &RungMeasures| r.warp > limit && r.warp_beyond_sampling() == 0.0;
     let is_unsure = !material.folds() && measures.rungs.iter().any(is_coarse);
     let least_mm = measures.bend_radius_min_mm;
-    let kind = FindingKind::RadiusUnsure { least_mm, limit_mm, sheet };
+    let kind = FindingKind::RadiusUnsure { least_mm, limit_mm, is_coarse: true, sheet };
     is_unsure.then(|| Finding::new(kind, Place::rungs(&measures.rungs, is_coarse)))
 }
 

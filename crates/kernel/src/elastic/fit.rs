@@ -7,7 +7,7 @@
 //! what is left is what the surface itself asks for.
 
 use super::energy::Energy;
-use super::net::Net;
+use super::net::{Net, ordered};
 use sheetwright_geometry::math::sparse::{Plan, elimination_order};
 use sheetwright_geometry::math::{Point3, Vec2};
 use std::collections::BTreeMap;
@@ -74,8 +74,4 @@ pub(super) fn displacement(net: &Net, energy: &Energy, positions: &[Point3]) -> 
         }
     }
     Some(all)
-}
-
-fn ordered([a, b]: [usize; 2]) -> [usize; 2] {
-    [a.min(b), a.max(b)]
 }

@@ -18,9 +18,10 @@
 //! 5. Where no sheet can be computed, a strip is judged by the formula of `screen`, with the turn
 //!    of its facing along its sides as the warp.
 //! 6. Of a sheet that does not take its shape, a thinner one that does is looked for.
-//! 7. Where the triangles of the pattern are stretched by far more than the material takes, or by
-//!    more than a theory of small strains holds for, and those of a fitted pattern are, too, their
-//!    strain decides. So it does where no sheet can be computed, with its doubt.
+//! 7. Where the triangles of the pattern are stretched by more than a theory of small strains holds
+//!    for, and by far more than the material takes, their strain decides; but not on a saddle whose
+//!    fitted pattern is stretched by less. It decides, with its doubt, where no sheet can be
+//!    computed, too.
 
 use super::narrow::{Turn, narrow, tight, tightest};
 use super::predict::{FLAT, NETS, by_nets, stiffness_of};
@@ -48,7 +49,7 @@ use std::borrow::Cow;
 const BAND: f64 = 0.005;
 /// The largest strain for which a sheet is computed: the theory is one of small strains.
 const SMALL: f64 = 0.05;
-/// A pattern whose triangles are strained by so many times the limit is not computed either.
+/// A sheet that takes larger strains is computed up to so many times its limit.
 const BEYOND: f64 = 4.0;
 /// Patterns that are strained by up to this may be fitted nevertheless.
 const FITTABLE: f64 = 0.5;
@@ -107,11 +108,13 @@ pub fn predict_given(
     };
     let reading = reading_of(folded.mesh());
     let is_far = strain > most;
+    // Pieces that are fitted each by itself part at their creases.
+    let fits = if folded.mesh().components().len() == 1 { fits } else { 0 };
     // A pattern may heap in a few places what a fitted one has nowhere. A saddle is relieved where
     // the sheet leaves it; a dome is so only by wrinkles.
     let fits_better = || {
-        let fitted = strain_of_fitted(&folded, &flat, (reading, !narrow.is_empty()));
-        fits > 0 && strain <= FITTABLE && fitted.is_some_and(|fitted| fitted <= most)
+        let fitted = || strain_of_fitted(&folded, &flat, (reading, !narrow.is_empty()));
+        fits > 0 && strain <= FITTABLE && fitted().is_some_and(|fitted| fitted <= most)
     };
     let may_fit = |mesh: &Mesh| is_saddle(mesh) && fits_better();
     if is_far && !may_fit(sheet.mesh()) {
@@ -135,8 +138,7 @@ pub fn predict_given(
         is_developable,
         is_far,
     };
-    let is_one = folded.mesh().components().len() == 1;
-    let fits = if is_one && !is_developable { fits } else { 0 };
+    let fits = if is_developable { 0 } else { fits };
     match given.judged(fits, watch) {
         Err(ElasticError::Stopped) => None,
         Err(error) if is_strip(given.sheet.mesh()) => {

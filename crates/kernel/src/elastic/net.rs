@@ -133,7 +133,7 @@ impl Net {
                     return None;
                 }
                 delaunay.add_constraint(from, to);
-                middles.insert(key(from.index(), to.index()), of_loop[2 * n + 1]);
+                middles.insert(ordered([from.index(), to.index()]), of_loop[2 * n + 1]);
             }
             around.push(handles);
         }
@@ -159,7 +159,7 @@ impl Net {
                     .or_insert_with(|| self.add(known, Point2::new(at.x, at.y)));
             }
             for k in 0..3 {
-                let side = key(vertices[k].0, vertices[(k + 1) % 3].0);
+                let side = ordered([vertices[k].0, vertices[(k + 1) % 3].0]);
                 let (a, b) = (element[k], element[(k + 1) % 3]);
                 element[3 + k] = *of_sides.entry(side).or_insert_with(|| {
                     let middle = self.flat[a].lerp(self.flat[b], 0.5);
@@ -172,7 +172,7 @@ impl Net {
             let mut of_loop = Vec::new();
             for (from, to) in handles.iter().zip(handles.iter().cycle().skip(1)) {
                 of_loop.push(*nodes.get(&from.index())?);
-                of_loop.push(*of_sides.get(&key(from.index(), to.index()))?);
+                of_loop.push(*of_sides.get(&ordered([from.index(), to.index()]))?);
             }
             self.border.push(of_loop);
         }
@@ -223,10 +223,10 @@ impl Net {
         for (n, nodes) in self.elements.iter().enumerate() {
             for k in 0..3 {
                 let ends = [nodes[k], nodes[(k + 1) % 3]];
-                match first.remove(&key(ends[0], ends[1])) {
+                match first.remove(&ordered(ends)) {
                     Some((other, ends)) => shared.push(InnerSide { elements: [other, n], ends }),
                     None => {
-                        first.insert(key(ends[0], ends[1]), (n, ends));
+                        first.insert(ordered(ends), (n, ends));
                     }
                 }
             }
@@ -247,7 +247,8 @@ fn stretches_of(line: &[usize], divided: &Divided) -> Vec<Stretch> {
     (0..starts.len()).map(stretch).collect()
 }
 
-fn key(a: usize, b: usize) -> [usize; 2] {
+/// The ends of a side, the lower first.
+pub(super) fn ordered([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 

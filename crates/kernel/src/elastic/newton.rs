@@ -187,6 +187,27 @@ impl Free {
         Rest { positions: placed.positions, slid_max_mm, is_stable, steps }
     }
 
+    /// Where the energy is lower than this value along a step, by as much as its fall promises, and
+    /// whether that is at the end of the step; `None` where it is so nowhere.
+    fn lower(
+        &self,
+        energy: &Energy,
+        placed: &Placed,
+        step: &[[f64; 3]],
+        [value, fall]: [f64; 2],
+    ) -> Option<(Placed, bool)> {
+        let mut share = 1.0;
+        for _ in 0..MOST_HALVINGS {
+            let tried = self.moved(placed, step, share);
+            let now = energy.value(&tried.positions);
+            if now.is_finite() && now <= value - TRUE_SHARE * share * fall {
+                return Some((tried, share == 1.0));
+            }
+            share *= 0.5;
+        }
+        None
+    }
+
     fn moved(&self, placed: &Placed, step: &[[f64; 3]], share: f64) -> Placed {
         let mut moved = placed.clone();
         for (&n, &[x, y, z]) in self.nodes.iter().zip(step) {
@@ -261,7 +282,11 @@ pub(super) fn rest(
         let [step] = factor.solve([&down]);
         let fall = product(&down, &step);
         let value = energy.value(&placed.positions);
-        if fall <= AT_REST * value.abs() + energy.negligible() {
+        let is_low = fall <= AT_REST * value.abs() + energy.negligible();
+        let lower = (!is_low).then(|| free.lower(energy, &placed, &step, [value, fall])).flatten();
+        let Some((next, is_long)) = lower else {
+            // It rests here if all of the compression counts. Where nothing falls any more,
+            // rounding is all there is.
             if pressed.is_whole() {
                 return Ok(free.rest(placed, true, steps));
             }
@@ -276,29 +301,9 @@ pub(super) fn rest(
             passes += 1;
             placed = beyond_pass(&free, &plan, energy, &placed, LEAVE * size)?;
             continue;
-        }
-        let mut share = 1.0;
-        let mut next = None;
-        for _ in 0..MOST_HALVINGS {
-            let tried = free.moved(&placed, &step, share);
-            let now = energy.value(&tried.positions);
-            if now.is_finite() && now <= value - TRUE_SHARE * share * fall {
-                next = Some(tried);
-                break;
-            }
-            share *= 0.5;
-        }
-        // Where nothing falls any more, rounding is all there is.
-        let Some(next) = next else {
-            if pressed.is_whole() || passes == MOST_PASSES {
-                return Ok(free.rest(placed, pressed.is_whole(), steps));
-            }
-            passes += 1;
-            placed = beyond_pass(&free, &plan, energy, &placed, LEAVE * size)?;
-            continue;
         };
         placed = next;
-        pressed.after_step(share == 1.0);
+        pressed.after_step(is_long);
     }
 }
 
@@ -388,4 +393,34 @@ fn beyond_pass(
 
 fn product(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).map(|(x, y)| x * y).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The share that is taken where those up to `most` are positive.
+    fn taken(pressed: &mut Pressed, most: f64) -> f64 {
+        let found = pressed.positive(|share| Ok((share <= most).then_some(share)));
+        found.unwrap().unwrap()
+    }
+
+    #[test]
+    fn as_much_of_the_compression_enters_as_leaves_the_curvature_positive() {
+        let mut pressed = Pressed::new();
+        assert_eq!(taken(&mut pressed, 0.3), 0.0);
+        pressed.after_step(false);
+        assert_eq!(taken(&mut pressed, 0.3), 0.0, "steps are short");
+        pressed.after_step(true);
+        assert_eq!(taken(&mut pressed, 0.3), 0.25);
+        pressed.after_step(true);
+        assert_eq!(taken(&mut pressed, 0.6), 0.25, "it was lowered in the step before");
+        pressed.after_step(true);
+        assert_eq!(taken(&mut pressed, 0.6), 0.5);
+        assert_eq!(taken(&mut pressed, 0.0), 0.0);
+        assert!(pressed.positive(|_| Ok(None::<f64>)).unwrap().is_none());
+        pressed.after_step(true);
+        pressed.after_step(true);
+        assert!(!pressed.is_whole() && pressed.share > 0.0);
+    }
 }

@@ -7,9 +7,9 @@
 //!    is computed with them scored.
 //! 2. If it stretches by more than its limit and the surface has further folds, the sheet is
 //!    computed with all of them scored. They are needed if that helps.
-//!    If it is developable and yields, it is computed as one that is rolled (`rolled`); if it may
-//!    be developable and only a rolled sheet takes it, nobody can tell. Where it is
-//!    rolled more tightly than a net can follow, as the tip of a cone, a formula decides.
+//!    If it is developable and yields, it is computed as one that is rolled (`rolled`); if it is
+//!    nearly so and only a rolled sheet takes it, the verdict stays open. Where it is rolled more
+//!    tightly than a net can follow, as the tip of a cone, a formula decides.
 //!    Bends that are narrower than a net tells are held as they are (`narrow`).
 //! 3. Where the strain comes near to the limit, finer nets are asked as well; if the limit still
 //!    lies between what they give and what they tend to, nobody can tell.
@@ -49,6 +49,9 @@ pub(super) const FLAT: f64 = 1e-9;
 const THINNEST: f64 = 1e-5;
 /// A sheet whose pattern overlaps itself is cut into so many pieces.
 const PIECES: [usize; 5] = [2, 3, 4, 6, 10];
+/// Where rulings run together is a point if the sheet can't follow it within this share of its
+/// size; farther than that, it is bent too tightly.
+const LARGEST_POINT: f64 = 0.25;
 /// At so many places of a fold it is asked whether the sheet at rest has smoothed it.
 const FOLD_PLACES: usize = 7;
 /// While the thickest sheet that takes the shape is looked for, the thickness is halved so often at
@@ -74,7 +77,7 @@ pub fn predict(
     let takes = |mm: f64| judge.takes_in(mm, screened, watch);
     let thickest_mm = thickest_mm(screened.limits.thickness_mm, HALVINGS, takes);
     // What folds but does not take the shape at all shows every fold.
-    let is_stiff = !screened.limits.folds();
+    let is_stiff = !screened.limits.folds;
     let scored = if is_stiff { predicted.scored.clone() } else { judge.folds(|_| true) };
     (!watch.stop()).then_some(Predicted { thickest_mm, scored, ..predicted })
 }
@@ -95,7 +98,8 @@ pub fn predict_alone(
     judge.judged(screened, watch).filter(|_| !watch.stop())
 }
 
-/// Whether one result is better than another: a sheet at rest, and one that is strained less.
+/// Whether one result goes before another: that the watcher asked to stop, a sheet where the other
+/// has none, or one that uses less of what it takes.
 fn is_better(
     one: &Result<Predicted, ElasticError>,
     other: &Result<Predicted, ElasticError>,
@@ -130,7 +134,7 @@ impl Judge<'_> {
         let is_smooth = self.folds(|_| true).is_empty();
         let most = elastic.strain_range[1];
         let may_be_rolled = is_nearly_developable(self.limits, warp * warp)
-            && (is_surely || elastic.usage_range()[1] > 1.0);
+            && (is_surely || most > self.limits.strain);
         if !is_smooth || !may_be_rolled {
             return Some(elastic);
         }
@@ -139,7 +143,7 @@ impl Judge<'_> {
         let (_, tightest) = narrow_rungs(self.sheet, self.flat, self.measures, self.limits);
         let found = rolled(elastic, [curvature, tightest], again);
         if !is_surely {
-            // Few samples may hide the warp of a surface, or make it: then nobody can tell.
+            // Few samples may hide the warp of a surface, or make it, so both results are possible.
             return Some(Predicted { strain_range: [found.strain_range[0], most], ..found });
         }
         let is_sure =
@@ -182,15 +186,21 @@ impl Judge<'_> {
         let needed = self.folds(|rung| border.demands(rung));
         let mut predicted = self.best(&needed, false, watch);
         let is_taken = |p: &Result<Predicted, ElasticError>| p.as_ref().is_ok_and(takes);
+        // Of a sheet in another thickness, that it finds no rest at once is told enough.
         if predicted == Err(ElasticError::NoRest) && self.nets.len() > 1 {
             predicted = self.best(&needed, true, watch);
         }
         let unsmoothed = predicted.as_ref().map_or(Vec::new(), |found| self.unsmoothed(found));
         if !unsmoothed.is_empty() {
             let all = self.folds(|rung| needed.contains(&rung) || unsmoothed.contains(&rung));
-            predicted = self.best(&all, false, watch);
+            predicted = match self.best(&all, false, watch) {
+                Err(ElasticError::NoRest) => {
+                    predicted.map(|smooth| Predicted { scored: all, ..smooth })
+                }
+                folded => folded,
+            };
         }
-        let has_more = |p: &Predicted| limits.folds() && p.scored.len() < folds.len();
+        let has_more = |p: &Predicted| limits.folds && p.scored.len() < folds.len();
         if !is_taken(&predicted) && predicted.as_ref().is_ok_and(has_more) {
             let folded = self.best(&folds, false, watch);
             if is_taken(&folded) || is_better(&folded, &predicted) {
@@ -225,7 +235,7 @@ impl Judge<'_> {
     /// than it takes in half of that, for the net does not tell how tight a bend so narrow is.
     fn unsmoothed(&self, predicted: &Predicted) -> Vec<usize> {
         let Some(sheet) = &predicted.at_rest else { return Vec::new() };
-        if !self.limits.folds() {
+        if !self.limits.folds {
             return Vec::new();
         }
         let area: f64 = sheet.areas_mm2.iter().sum();
@@ -260,7 +270,7 @@ impl Judge<'_> {
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
         match self.predicted(scored, begins_stiff, watch) {
-            Err(ElasticError::NoNet) => self.in_pieces(scored, watch),
+            Err(ElasticError::NoNet) => self.in_pieces(scored, begins_stiff, watch),
             predicted => predicted,
         }
     }
@@ -290,10 +300,9 @@ impl Judge<'_> {
     }
 
     /// The points of the surface, where rulings run together, each with how far round it the sheet
-    /// can't follow, mm. One that reaches over the whole panel is none.
+    /// can't follow, mm. One that reaches far is none.
     fn points(&self) -> Vec<(Point3, f64)> {
-        let Some(limit) = self.limits.outer_fibre else { return Vec::new() };
-        let least_mm = self.limits.outer_fibre_at(1.0) / limit;
+        let Some(least_mm) = self.limits.bend_radius_mm() else { return Vec::new() };
         let mesh = self.sheet.mesh();
         let size_mm = size_of(mesh.positions().iter().copied());
         let vertices = (0..mesh.positions().len()).map(VertexIndex::new);
@@ -302,7 +311,8 @@ impl Judge<'_> {
             let here = apexes.filter(move |apex| apex.sample == self.sheet.sample(v));
             here.map(move |apex| (mesh.position(v), apex.reach_mm(least_mm)))
         };
-        vertices.flat_map(of_vertex).filter(|(_, reach_mm)| *reach_mm < size_mm).collect()
+        let most_mm = LARGEST_POINT * size_mm;
+        vertices.flat_map(of_vertex).filter(|(_, reach_mm)| *reach_mm < most_mm).collect()
     }
 
     /// The prediction for a sheet whose pattern overlaps itself: cut along some rungs, evenly, into
@@ -310,6 +320,7 @@ impl Judge<'_> {
     fn in_pieces(
         &self,
         scored: &[usize],
+        begins_stiff: bool,
         watch: &mut dyn Watch,
     ) -> Result<Predicted, ElasticError> {
         let rungs = self.measures.rungs.len();
@@ -319,7 +330,7 @@ impl Judge<'_> {
             cut.extend((1..pieces).map(|n| n * rungs / pieces).filter(smooth));
             cut.sort_unstable();
             cut.dedup();
-            let predicted = self.predicted(&cut, false, watch);
+            let predicted = self.predicted(&cut, begins_stiff, watch);
             if predicted != Err(ElasticError::NoNet) {
                 return predicted.map(|found| Predicted { scored: scored.to_vec(), ..found });
             }

@@ -13,6 +13,10 @@ const DOUBT_OF_ONE: [f64; 2] = [1.25, 1.5];
 /// second.
 const PATTERN_DOUBT: [f64; 2] = [4.0, 1.25];
 
+/// A sheet may have this share of the curvature that was found: nets tell radii within 5 %, and
+/// read high beside edges.
+const CURVATURE_DOUBT: f64 = 0.95;
+
 /// How a strain was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
@@ -44,7 +48,8 @@ pub struct Predicted {
     pub strain: f64,
     /// The least and the greatest that this may be.
     pub strain_range: [f64; 2],
-    /// The curvature that 95 % of the area stays below, 1/mm.
+    /// The curvature that decides, 1/mm: what 95 % of the area stays below or, if that is more,
+    /// that of narrow bends and of tight patches.
     pub curvature: f64,
     /// The folds that it needs, by their rungs, in increasing order.
     pub scored: Vec<usize>,
@@ -109,7 +114,7 @@ impl Predicted {
         Self { strain_range, ..finer }
     }
 
-    /// The strain of the outer fibre that 95 % of the area stays below, without unit.
+    /// The strain of the outer fibre that decides, without unit: that at the curvature.
     pub fn outer_fibre(&self) -> f64 {
         self.limits.outer_fibre_at(self.curvature)
     }
@@ -121,7 +126,15 @@ impl Predicted {
 
     /// The least and the greatest that this may be.
     pub fn usage_range(&self) -> [f64; 2] {
-        self.strain_range.map(|strain| self.limits.use_of(strain, self.curvature))
+        let [least, most] = self.strain_range;
+        let curvature = self.curvature;
+        [(least, CURVATURE_DOUBT * curvature), (most, curvature)]
+            .map(|(strain, curvature)| self.limits.use_of(strain, curvature))
+    }
+
+    /// The bend radius that decides, mm, at its least and its greatest.
+    pub fn radius_range_mm(&self) -> [f64; 2] {
+        [1.0, CURVATURE_DOUBT].map(|doubt| 1.0 / (doubt * self.curvature))
     }
 
     /// The largest distance of the sheet at rest from the surface, mm; `None` where it was not

@@ -82,7 +82,7 @@ fn beside_narrow(
     let smooth = screened(limits, strain, curvature);
     let [least, most] = smooth.strain_range;
     let limit = smooth.limits.strain;
-    if smooth.usage() <= 1.0 || !smooth.limits.folds() {
+    if smooth.usage() <= 1.0 || !smooth.limits.folds {
         Predicted { scored: needed, ..smooth }
     } else if least <= limit {
         let strain_range = [folded.strain_range[0], most.max(folded.strain_range[1])];

@@ -107,8 +107,8 @@ pub(super) fn settled(
     }
     let given = if options.begins_stiff {
         let still = vec![Vec2::ZERO; net.flat.len()];
-        let once = ElasticOptions { fits: 0, ..*options };
-        fitted_from(STIFF_FOLD, still, net, stiffness, &once, watch)
+        let unfitted = ElasticOptions { fits: 0, ..*options };
+        fitted_from(STIFF_FOLD, still, net, stiffness, &unfitted, watch)
     } else {
         Settled::new(net, stiffness, net.space.clone(), options, watch)
     };

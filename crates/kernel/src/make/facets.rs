@@ -65,7 +65,7 @@ pub(super) fn divided(
     for times in ROUNDINGS_APART {
         let options = NetOptions { apart_mm: times * rounding_mm, ..*options };
         let found = taken_apart(whole, seams, &options, meant, watch)?;
-        if !overlaps(&found)? {
+        if overlaps(&found) == Ok(false) {
             return Ok(found);
         }
     }

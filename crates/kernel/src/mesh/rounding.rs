@@ -144,8 +144,8 @@ fn is_rounded(positions: &[Point3], step: f64) -> bool {
     (0..3).any(is_rounded)
 }
 
-/// The step of the last digit at the largest number, mm, if all numbers have up to six significant
-/// digits, or all are floats of 32 bits, and there are some of six digits; `None` otherwise.
+/// The step of the last digit at the largest number, mm: of 32-bit floats, if all numbers are
+/// such, or of six significant digits, if none has more and some have six; `None` otherwise.
 fn last_digit(positions: &[Point3]) -> Option<f64> {
     let numbers = || positions.iter().flat_map(|p| p.to_vec().to_array()).map(f64::abs);
     let largest = numbers().fold(0.0, f64::max);

@@ -2,8 +2,7 @@
 
 use super::planes::face_of_triangles;
 use crate::flatten::{LaidFace, laid_face};
-use crate::mesh::rounding::Rounding;
-use crate::mesh::{Cut, Mesh, MeshEdge};
+use crate::mesh::{Cut, Mesh, MeshEdge, Rounding};
 use sheetwright_geometry::boundary::size_of;
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Point2, Point3, Vec3, unit};

@@ -46,8 +46,7 @@ mod planes;
 pub use beyond::{Beyond, Strip, StripEnds};
 pub use meant::{Coarseness, MEANT_DEG, MOST_FACETS, coarseness};
 
-use crate::mesh::rounding::Rounding;
-use crate::mesh::{Cut, Mesh, cut_of_part};
+use crate::mesh::{Cut, Mesh, Rounding, cut_of_part};
 use crate::sheet::Sheet;
 use beyond::Room;
 use facets::Facets;
@@ -65,8 +64,9 @@ pub struct NetOptions {
     pub within_mm: Option<[f64; 2]>,
     /// What will stand beyond the border of pieces, which counts for that. Default: nothing.
     pub beyond: Beyond,
-    /// Sides of one piece that come nearer than this to one another, mm, count as overlapping, as
-    /// far as they do not meet in a vertex. Default: 0, for which 1e-9 of the size counts.
+    /// Sides of one piece that come nearer than this to one another, mm, count as overlapping. Of
+    /// two that meet in a vertex, the end of the shorter must be as far from the line of the
+    /// longer, if they leave it on one side. Default: 0, for which 1e-9 of the size counts.
     pub apart_mm: f64,
 }
 
@@ -119,7 +119,7 @@ impl Left {
     }
 }
 
-/// How near points of a mesh may lie by the rounding of its file, mm.
+/// The distance between two points of a mesh that the rounding of its file explains, mm.
 pub fn rounding_mm(mesh: &Mesh) -> f64 {
     let size_mm = size_of(mesh.positions().iter().copied());
     Rounding::of(mesh.positions(), size_mm).between_mm()

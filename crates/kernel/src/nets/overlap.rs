@@ -21,8 +21,8 @@ const APART: f64 = 1e-9;
 pub(super) struct Apart {
     /// Those that share no vertex, mm.
     pub(super) sides_mm: f64,
-    /// The end of one from the line of another that it shares a vertex with, mm, if that is more
-    /// than [`APART`] of its length.
+    /// The end of the shorter of two that share a vertex from the line of the longer, mm, if that
+    /// is more than [`APART`] of its length.
     ends_mm: f64,
 }
 
@@ -31,7 +31,7 @@ impl Apart {
         Self::new(facets.size_mm, facets.apart_mm)
     }
 
-    /// That of a mesh of this size where `least_mm` is the least for sides that share no vertex.
+    /// That of a mesh of this size where `least_mm` is the least of both distances.
     pub(super) fn new(size_mm: f64, least_mm: f64) -> Self {
         Self { sides_mm: least_mm.max(APART * size_mm), ends_mm: least_mm }
     }

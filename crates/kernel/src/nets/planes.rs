@@ -1,12 +1,12 @@
 //! Which triangles of a mesh are one flat face.
 //!
 //! From the largest triangle that is left, a face spreads over its neighbours as long as one plane
-//! passes within the rounding of the file (`rounding`) of all its points. The plane stands square
-//! to the sum of the area vectors, which is that of the border alone and so hardly feels how points
-//! inside, or narrow triangles, are rounded; it passes midway between the points on its two sides.
+//! passes within the rounding of the file (`mesh/rounding`) of all its points. The plane stands
+//! square to the sum of the area vectors, which is that of the border alone and so hardly feels how
+//! points inside, or narrow triangles, are rounded; it passes midway between the points on its two
+//! sides.
 
-use crate::mesh::rounding::Rounding;
-use crate::mesh::{Cut, Mesh};
+use crate::mesh::{Cut, Mesh, Rounding};
 use sheetwright_geometry::index::{TriangleIndex, VertexIndex};
 use sheetwright_geometry::math::{Vec3, unit};
 use std::collections::VecDeque;

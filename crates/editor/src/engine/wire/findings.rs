@@ -19,7 +19,7 @@ variants!(FindingKind {
     NeedsForce { strain, limit, outer_fibre, sheet, moment_n, is_formed, basis },
     Roll { radius_mm, from_mm, sheet },
     CantTell { strain, limit, sheet, basis },
-    RadiusUnsure { least_mm, limit_mm, sheet },
+    RadiusUnsure { least_mm, limit_mm, is_coarse, sheet },
     FoldsNotNeeded { count, sharpest },
     RadiusTooSmall { least_mm, limit_mm, sheet, thickest_mm },
     SheetTooThick { drawn_mm, inside_mm, thickness_mm },

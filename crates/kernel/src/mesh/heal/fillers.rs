@@ -25,6 +25,8 @@ const ROUNDED_TAPER: f64 = 0.01;
 const TURNED_DEG: f64 = 15.0;
 /// Fillers within fillers, the most: each halves a side.
 const MOST_DEPTH: usize = 60;
+/// Of the triangles at a side, so many are looked at: a surface has two.
+const MOST_BESIDE: usize = 16;
 
 /// The corners in the middle of fillers. Points are named by the first vertex in their place, since
 /// a neighbour may have points of its own.
@@ -113,7 +115,11 @@ fn add_rounded(work: &Work, longest: &mut [Option<usize>]) {
     }
     for n in 0..work.triangles.len() {
         for (ends, upwards) in sides_of(n) {
-            at.entry(ends).and_modify(|there| there.push((n, upwards)));
+            at.entry(ends).and_modify(|there| {
+                if there.len() < MOST_BESIDE {
+                    there.push((n, upwards));
+                }
+            });
         }
     }
     let long: BTreeMap<usize, [usize; 2]> =
