@@ -5,6 +5,8 @@ use sheetwright_geometry::predicate::{Box2, orientation, segments_touch};
 
 /// Places of the grid that is laid over a piece, about.
 const PLACES: f64 = 240.0;
+/// The sides of a piece are sorted into so many rows at the most.
+const ROWS: usize = 256;
 
 /// A place inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +22,8 @@ pub(crate) struct Spot {
 pub(crate) struct Room {
     sides: Vec<[Point2; 2]>,
     around: Box2,
+    /// The numbers of the sides that pass through each row of the box, from below.
+    rows: Vec<Vec<u32>>,
 }
 
 impl Room {
@@ -32,7 +36,20 @@ impl Room {
         let sides: Vec<[Point2; 2]> = sides.collect();
         let none = Box2 { min: Point2::default(), max: Point2::default() };
         let around = Box2::of_points(sides.iter().map(|side| side[0])).unwrap_or(none);
-        Self { sides, around }
+        let rows = vec![Vec::new(); sides.len().clamp(1, ROWS)];
+        let mut room = Self { sides, around, rows };
+        for (n, &[a, b]) in room.sides.iter().enumerate() {
+            let [low, high] = [a.y.min(b.y), a.y.max(b.y)].map(|y| room.row(y));
+            room.rows[low..=high].iter_mut().for_each(|row| row.push(n as u32));
+        }
+        room
+    }
+
+    /// The row at a height, or the nearest one.
+    fn row(&self, y: f64) -> usize {
+        let share = (y - self.around.min.y) / (self.around.max.y - self.around.min.y);
+        // The conversion saturates; of no number it is 0.
+        ((share * self.rows.len() as f64) as usize).min(self.rows.len() - 1)
     }
 
     /// The box around it.
@@ -42,7 +59,8 @@ impl Room {
 
     /// Whether a point lies inside: the loops wind round it.
     pub(crate) fn holds(&self, p: Point2) -> bool {
-        let passes = self.sides.iter().map(|&[a, b]| {
+        let passes = self.rows[self.row(p.y)].iter().map(|&n| {
+            let [a, b] = self.sides[n as usize];
             if a.y <= p.y && p.y < b.y && orientation(a, b, p).is_gt() {
                 1
             } else if b.y <= p.y && p.y < a.y && orientation(a, b, p).is_lt() {
@@ -122,6 +140,35 @@ impl Room {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sheetwright_geometry::math::{cos, sin};
+    use sheetwright_geometry::random::Random;
+
+    #[test]
+    fn rows_change_nothing() {
+        let mut random = Random::new(5);
+        let star: Vec<Point2> = (0..900)
+            .map(|n| {
+                let (angle, r) =
+                    (std::f64::consts::TAU * f64::from(n) / 900.0, random.between(3.0, 9.0));
+                // Some sides are level.
+                Point2::new(r * cos(angle), (r * sin(angle) * 8.0).round() / 8.0)
+            })
+            .collect();
+        let room = Room::new([&star[..]]);
+        let sides = room.sides.clone();
+        let all = (0..sides.len() as u32).collect();
+        let plain = Room { sides, around: room.around, rows: vec![all] };
+        let mut inside = 0;
+        for n in 0..3_000 {
+            let p = match star.get(n) {
+                Some(&corner) => Point2::new(corner.x + random.between(-1.0, 1.0), corner.y),
+                None => Point2::new(random.between(-10.0, 10.0), random.between(-10.0, 10.0)),
+            };
+            assert_eq!(room.holds(p), plain.holds(p), "{p:?}");
+            inside += usize::from(room.holds(p));
+        }
+        assert!((500..2_500).contains(&inside), "{inside}");
+    }
 
     #[test]
     fn a_square_with_a_hole_has_room_around_the_hole() {

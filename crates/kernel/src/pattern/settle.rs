@@ -153,6 +153,8 @@ impl Tick<'_> {
 /// A loop of the net, and a place on it.
 struct Loop<'a> {
     points: &'a [Point2],
+    /// How far along it each side begins, mm, and its whole length.
+    starts_mm: Vec<f64>,
     /// How far along it the place lies, mm.
     along_mm: f64,
 }
@@ -160,40 +162,56 @@ struct Loop<'a> {
 impl<'a> Loop<'a> {
     /// The loop that passes nearest to a point, and where it does.
     fn nearest(net: &[&'a [Point2]], point: Point2) -> Option<Self> {
-        let mut best: Option<(f64, Self)> = None;
-        for &points in net {
-            let mut before_mm = 0.0;
-            for [a, b] in sides(points) {
-                let off_mm = point.distance_to_segment([a, b]);
-                if best.as_ref().is_none_or(|(least_mm, _)| off_mm < *least_mm) {
-                    let on_mm = unit2(b - a).map_or(0.0, |way| way.dot(point - a));
-                    let along_mm = before_mm + on_mm.clamp(0.0, a.distance(b));
-                    best = Some((off_mm, Self { points, along_mm }));
-                }
-                before_mm += a.distance(b);
-            }
+        let all =
+            net.iter().flat_map(|&points| sides(points).enumerate().map(move |n| (points, n)));
+        let off_mm = |side: &[Point2; 2]| point.distance_to_segment(*side);
+        let (points, (side, [a, b])) =
+            all.min_by(|(_, (_, one)), (_, (_, other))| off_mm(one).total_cmp(&off_mm(other)))?;
+        let mut starts_mm = vec![0.0];
+        for [a, b] in sides(points) {
+            starts_mm.push(starts_mm[starts_mm.len() - 1] + a.distance(b));
         }
-        best.map(|(_, found)| found)
+        let on_mm = unit2(b - a).map_or(0.0, |way| way.dot(point - a));
+        let along_mm = starts_mm[side] + on_mm.clamp(0.0, a.distance(b));
+        Some(Self { points, starts_mm, along_mm })
     }
 
     /// The point so far ahead of the place, mm, and the direction of the loop there.
     fn at(&self, ahead_mm: f64) -> Option<(Point2, Vec2)> {
-        let whole_mm: f64 = sides(self.points).map(|[a, b]| a.distance(b)).sum();
-        let mut left_mm = (self.along_mm + ahead_mm).rem_euclid(whole_mm);
-        for [a, b] in sides(self.points) {
-            let side_mm = a.distance(b);
-            if left_mm <= side_mm
-                && let Some(way) = unit2(b - a)
-            {
-                return Some((a + way * left_mm, way));
-            }
-            left_mm -= side_mm;
-        }
-        None
+        let (whole_mm, starts_mm) = self.starts_mm.split_last()?;
+        let along_mm = (self.along_mm + ahead_mm).rem_euclid(*whole_mm);
+        let next = starts_mm.partition_point(|start_mm| *start_mm < along_mm);
+        let of_side = |n: usize| {
+            let [a, b] = [n, (n + 1) % self.points.len()].map(|n| self.points[n]);
+            unit2(b - a).map(|way| (a + way * (along_mm - starts_mm[n]), way))
+        };
+        // The side before the next, unless that has no length.
+        (next.saturating_sub(1)..starts_mm.len()).find_map(of_side)
     }
 }
 
 /// The sides of a closed line, each from a point to the next.
 fn sides(line: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
     line.iter().zip(line.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_is_followed_ahead_and_back_over_points_that_stand_twice() {
+        let p = Point2::new;
+        let square = [p(0.0, 0.0), p(4.0, 0.0), p(4.0, 0.0), p(4.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
+        let far = [p(50.0, 50.0), p(60.0, 50.0), p(50.0, 60.0)];
+        let found = Loop::nearest(&[&far, &square], p(3.0, -0.5)).unwrap();
+        assert_eq!(found.at(0.0), Some((p(3.0, 0.0), Vec2::X)));
+        assert_eq!(found.at(1.0), Some((p(4.0, 0.0), Vec2::X)));
+        assert_eq!(found.at(2.5), Some((p(4.0, 1.5), Vec2::Y)));
+        assert_eq!(found.at(-4.0), Some((p(0.0, 1.0), -Vec2::Y)));
+        assert_eq!(found.at(18.5), found.at(2.5));
+        assert!(Loop::nearest(&[], p(0.0, 0.0)).is_none());
+        let point = [p(1.0, 1.0); 2];
+        assert_eq!(Loop::nearest(&[&point], p(0.0, 0.0)).unwrap().at(1.0), None);
+    }
 }

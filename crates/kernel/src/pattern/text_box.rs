@@ -98,6 +98,10 @@ impl TextBox {
 
     /// Whether it overlaps another: two rectangles are apart if a side of one parts them.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
+        let reach_squared = self.half.length_squared() + other.half.length_squared();
+        if (other.middle - self.middle).length_squared() > 2.0 * reach_squared {
+            return false;
+        }
         let is_parted = |one: &Self, other: &Self| {
             let corners = other.corners().map(|p| one.seen(p));
             let beyond = |of: fn(&Point2) -> f64, half: f64| {
