@@ -162,11 +162,11 @@ struct Loop<'a> {
 impl<'a> Loop<'a> {
     /// The loop that passes nearest to a point, and where it does.
     fn nearest(net: &[&'a [Point2]], point: Point2) -> Option<Self> {
-        let all =
-            net.iter().flat_map(|&points| sides(points).enumerate().map(move |n| (points, n)));
-        let off_mm = |side: &[Point2; 2]| point.distance_to_segment(*side);
-        let (points, (side, [a, b])) =
-            all.min_by(|(_, (_, one)), (_, (_, other))| off_mm(one).total_cmp(&off_mm(other)))?;
+        let all = net.iter().flat_map(|&points| {
+            let sides = sides(points).enumerate();
+            sides.map(move |(n, side)| (point.distance_to_segment(side), points, n, side))
+        });
+        let (_, points, side, [a, b]) = all.min_by(|one, other| one.0.total_cmp(&other.0))?;
         let mut starts_mm = vec![0.0];
         for [a, b] in sides(points) {
             starts_mm.push(starts_mm[starts_mm.len() - 1] + a.distance(b));
